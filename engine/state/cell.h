@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/base/vec3.h"
+
+namespace furnas {
+
+/// An upper-triangular 3 x 3 matrix.
+struct Triangle {
+  double xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
+
+  Vec3<double> operator*(const Vec3<double>& v) const {
+    return {xx * v.x + xy * v.y + xz * v.z, yy * v.y + yz * v.z, zz * v.z};
+  }
+  double determinant() const { return xx * yy * zz; }
+  double trace() const { return xx + yy + zz; }
+  friend bool operator==(const Triangle&, const Triangle&) = default;
+};
+
+/// The inverse; the diagonal must not vanish.
+inline Triangle inverse(const Triangle& h) {
+  Triangle g;
+  g.xx = 1 / h.xx;
+  g.yy = 1 / h.yy;
+  g.zz = 1 / h.zz;
+  g.xy = -h.xy * g.xx * g.yy;
+  g.yz = -h.yz * g.yy * g.zz;
+  g.xz = -(h.xz * g.zz + h.xy * g.yz) * g.xx;
+  return g;
+}
+
+inline Triangle product(const Triangle& a, const Triangle& b) {
+  return {a.xx * b.xx,
+          a.yy * b.yy,
+          a.zz * b.zz,
+          a.yy * b.yz + a.yz * b.zz,
+          a.xx * b.xz + a.xy * b.yz + a.xz * b.zz,
+          a.xx * b.xy + a.xy * b.yy};
+}
+
+/// The periodic cell: its edges are the columns of `edges`; `rate` is the strain rate e, edges' = e edges.
+struct Cell {
+  Triangle edges;  ///< h [d_s]
+  Triangle rate;   ///< e [1/time]
+
+  double volume() const { return edges.determinant(); }
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Distances between opposite faces of the cell [d_s].
+inline Vec3<double> heights(const Triangle& h) {
+  const Triangle g = inverse(h);
+  return {1 / std::sqrt(g.xx * g.xx + g.xy * g.xy + g.xz * g.xz), 1 / std::sqrt(g.yy * g.yy + g.yz * g.yz),
+          std::abs(h.zz)};
+}
+
+}  // namespace furnas

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/state/cell.h"
+
+namespace furnas {
+
+/// Rattlers of each species at one threshold of contacts.
+struct RattlerCount {
+  int least_contacts{};     ///< z_min: particles with fewer live contacts are taken out, again and again
+  std::int64_t large{};     ///< rattlers among the large spheres
+  std::int64_t small{};     ///< rattlers among the small spheres
+  std::int64_t backbone{};  ///< particles that remain, N_0
+  std::int64_t contacts{};  ///< contacts among those that remain, N_c
+  double coordination{};    ///< 2 N_c/N_0; 0 when none remains
+};
+
+/// What is read off a packing at one instant.
+struct Measures {
+  std::int64_t step{};
+  double time{};  ///< [time]
+  double phi{};   ///< packing fraction
+  Cell cell;
+  std::array<double, 6> stress{};          ///< P: xx yy zz xy xz yz, contacts and peculiar motion [k_n/d_s]
+  double pressure{};                       ///< trace(P)/3 [k_n/d_s]
+  double kinetic_energy{};                 ///< per particle, translation and rotation [k_n d_s^2]
+  double backbone_kinetic_energy{};        ///< per backbone particle [k_n d_s^2]
+  double force_imbalance{};                ///< mean |net force| on the backbone/mean contact force
+  double mean_force{};                     ///< mean |contact force| [k_n d_s]
+  double largest_overlap{};                ///< largest overlap/smaller radius of its pair
+  std::int64_t contacts{};                 ///< live contacts
+  double coordination{};                   ///< 2 contacts/N, rattlers included
+  double sliding_share{};                  ///< share of the contacts at the Coulomb limit
+  std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4
+  int backbone_threshold{};                ///< the z_min whose backbone is used above
+  std::int64_t rebuilds{};                 ///< neighbour lists built since the start of this process
+};
+
+}  // namespace furnas

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "engine/base/vec3.h"
+#include "engine/state/cell.h"
+#include "engine/state/fraction.h"
+#include "engine/state/stress.h"
+
+namespace furnas {
+
+/// Which of the two sizes a particle has. In a monodisperse packing all are `large`.
+enum class Species : std::uint8_t { large = 0, small = 1 };
+
+/// A touch of two particles, as it stands at the end of a step.
+struct Contact {
+  std::uint32_t i{}, j{};              ///< indices into the packing's arrays
+  std::array<std::int8_t, 3> image{};  ///< cells between the nearest image and the one that is touched
+  Vec3<double> branch;                 ///< centre of j (its image that is touched) to centre of i [d_s]
+  double overlap{};                    ///< R_i + R_j - |branch| > 0 [d_s]
+  Vec3<double> force;                  ///< on i [k_n d_s]
+  Vec3<double> history;  ///< tangential displacement xi of i against j [d_s]; zero without friction
+  bool sliding{};        ///< the tangential force has reached friction times the normal force
+};
+
+/// A packing as the rest of the program sees it, outside the step: plain doubles, in order of id.
+/// Particle k has the id k + 1 in files.
+struct Packing {
+  std::int64_t step{};  ///< steps since the start
+  double time{};        ///< [time unit sqrt(m/k_n), m = rho d_s^3]
+  Cell cell;
+  std::vector<Species> species;
+  std::vector<double> radius;          ///< [d_s]
+  std::vector<double> mass;            ///< [rho d_s^3]
+  std::vector<Fraction> fraction;      ///< position in the cell
+  std::vector<Image> image;            ///< cells crossed since the start
+  std::vector<Vec3<double>> velocity;  ///< peculiar, without the cell's affine flow [d_s/time]
+  std::vector<Vec3<double>> spin;      ///< angular velocity [1/time]; zero without friction
+  std::vector<Vec3<double>> force;     ///< sum over contacts [k_n d_s]
+  std::vector<Vec3<double>> torque;    ///< sum over contacts [k_n d_s^2]
+  std::vector<Contact> contacts;       ///< live contacts
+  Stress stress;                       ///< of this instant, as the barostat uses it
+  std::vector<std::uint32_t> order;    ///< particle at each place in memory; empty: the engine chooses
+
+  std::size_t size() const { return radius.size(); }
+
+  /// Sets the number of particles; new ones are at rest at the origin with no size.
+  void resize(std::size_t n) {
+    species.resize(n);
+    radius.resize(n);
+    mass.resize(n);
+    fraction.resize(n);
+    image.resize(n);
+    velocity.resize(n);
+    spin.resize(n);
+    force.resize(n);
+    torque.resize(n);
+  }
+
+  /// Centre of particle k in the cell, each fraction in [0, 1] [d_s].
+  Vec3<double> position(std::size_t k) const { return cell.edges * in_unit_cell(fraction[k]); }
+
+  /// Centre of particle k with the cells it has crossed [d_s].
+  Vec3<double> unwrapped(std::size_t k) const {
+    const Vec3<double> s = in_unit_cell(fraction[k]);
+    return cell.edges * Vec3<double>{s.x + image[k][0], s.y + image[k][1], s.z + image[k][2]};
+  }
+
+  /// Volume of the spheres [d_s^3].
+  double sphere_volume() const {
+    double sum = 0;
+    for (double r : radius) sum += r * r * r;
+    return sum * (4 * std::numbers::pi / 3);
+  }
+
+  /// Packing fraction phi.
+  double fraction_filled() const { return sphere_volume() / cell.volume(); }
+};
+
+}  // namespace furnas
