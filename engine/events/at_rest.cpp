@@ -33,29 +33,37 @@ const RestReport& RestWatch::look(Observation& now) {
   if (!window_.empty() && window_.back().step == now.step()) return report_;
   const Measures& m = now.measures();
   report_ = {};
+  report_.backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)].backbone;
   report_.stress_error = stress_error(m, now.simulation().model().barostat);
   report_.force_imbalance = m.force_imbalance;
   report_.kinetic_energy = criteria_.kinetic_energy_alone ? m.kinetic_energy : m.backbone_kinetic_energy;
-  const bool moved_enough = m.contacts > 0;
-  const bool holds =
-      moved_enough && report_.kinetic_energy < criteria_.kinetic_energy &&
-      (criteria_.kinetic_energy_alone || (report_.stress_error < criteria_.stress_error &&
-                                          report_.force_imbalance < criteria_.force_imbalance));
-  window_.push_back({now.step(), m.cell.edges, holds});
-  if (static_cast<std::int64_t>(window_.size()) > looks + 1) window_.pop_front();
 
-  const bool full = static_cast<std::int64_t>(window_.size()) == looks + 1;
+  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && m.contacts > 0;
+  const bool balanced = report_.backbone > 0 && report_.stress_error < criteria_.stress_error;
+  const auto holds = [&](double imbalance) {
+    return slow && (criteria_.kinetic_energy_alone || (balanced && report_.force_imbalance < imbalance));
+  };
+  window_.push_back({now.step(), m.cell.edges, holds(criteria_.force_imbalance),
+                     holds(std::max(criteria_.loose_imbalance, criteria_.force_imbalance))});
+  if (static_cast<std::int64_t>(window_.size()) > patience + 1) window_.pop_front();
+
   report_.strain_drift = std::numeric_limits<double>::infinity();
-  if (full) {
-    const Look& first = window_.front();
+  if (static_cast<std::int64_t>(window_.size()) > looks) {
+    const Look& first = window_[window_.size() - 1 - looks];
     report_.strain_drift =
         strain_between(first.edges, m.cell.edges) * 1e5 / static_cast<double>(now.step() - first.step);
   }
-  report_.resting = full &&
-                    std::all_of(window_.begin(), window_.end(), [](const Look& l) { return l.holds; }) &&
-                    (criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift);
+  const bool steady = criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift;
+  const bool tightly = steady && all_hold(&Look::holds, looks + 1);
+  report_.loosely = !tightly && steady && all_hold(&Look::holds_loosely, patience + 1);
+  report_.resting = tightly || report_.loosely;
   report_.waiting_for = furthest();
   return report_;
+}
+
+bool RestWatch::all_hold(bool Look::*holds, std::int64_t count) const {
+  return static_cast<std::int64_t>(window_.size()) >= count &&
+         std::all_of(window_.end() - count, window_.end(), [&](const Look& l) { return l.*holds; });
 }
 
 std::string RestWatch::furthest() const {

@@ -13,18 +13,21 @@ struct RestCriteria {
   bool kinetic_energy_alone = false;  ///< the study's own rule: all particles, and nothing else
   double stress_error = 1e-3;         ///< largest |P_aa - p_a|/p_a and |P_ab|/p_a
   double force_imbalance = 1e-4;      ///< mean |net force| on the backbone/mean contact force
+  double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
   double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
   double strain_drift = 1e-6;         ///< of the cell, per 1e5 steps
   std::int64_t window = 10'000;       ///< [steps]
 };
 
-/// The four criteria as they stand, each as a multiple of its limit, and over the window.
+/// The criteria as they stand.
 struct RestReport {
+  std::int64_t backbone{};  ///< particles in it; nothing rests without one
   double stress_error{};
   double force_imbalance{};
   double kinetic_energy{};  ///< [k_n d_s^2]
   double strain_drift{};    ///< per 1e5 steps; infinite until the window is full
   bool resting{};           ///< all held at every look of the window
+  bool loosely{};           ///< resting, but with the loose limit of the force balance
   std::string waiting_for;  ///< the criterion that is furthest from its limit; empty when resting
 };
 
@@ -47,12 +50,15 @@ class RestWatch {
   void restart() { window_.clear(); }
 
  private:
-  static constexpr std::int64_t looks = 10;
+  static constexpr std::int64_t looks = 10;             // a window
+  static constexpr std::int64_t patience = 10 * looks;  // with the loose limit
   struct Look {
     std::int64_t step;
     Triangle edges;
     bool holds;
+    bool holds_loosely;
   };
+  bool all_hold(bool Look::*holds, std::int64_t count) const;
   std::string furthest() const;
 
   RestCriteria criteria_;
