@@ -15,9 +15,10 @@ struct Barostat {
   double pressure = 1e-4;  ///< p_a [k_n/d_s]
   double inertia = 1;      ///< W [rho d_s^5]
   double drag = 0;         ///< g [1/time]; the rate decays as exp(-g t)
-  /// Drive the shear of the cell with branch_a force_b, a < b, as LAMMPS does, instead of its transpose,
-  /// which is the one that does work on an upper-triangular cell. They differ while torques act.
-  bool legacy_shear = false;
+  /// Move the cell step for step as `fix nph/sphere` of LAMMPS does: its shear is driven by branch_a
+  /// force_b, a < b, not by the transpose, which does work on an upper-triangular cell (they differ
+  /// while torques act), and its tilts are stretched with the lengths of the step's start.
+  bool legacy = false;
 };
 
 /// What is simulated: everything that stays the same during a run.

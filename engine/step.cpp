@@ -15,9 +15,9 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   const bool moves = bath.freedom != CellFreedom::fixed;
 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
-  if (moves) step.phase("stretch the cell", stretch_cell,         dt, s.cell);
+  if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
   step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.top_speed);
-  if (moves) step.phase("stretch the cell", stretch_cell,         dt, s.cell);
+  if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
   step.phase("watch the wear",              watch_wear,           dt, w.top_speed, s.cell, s.pairs, w.wear);
   step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, s.cell, s.pairs, s.particles, w.wear);

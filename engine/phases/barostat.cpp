@@ -21,25 +21,52 @@ void kick_cell(const Barostat& barostat, const double& time_step, const std::siz
   if (barostat.freedom != CellFreedom::triclinic) return;
 
   // An upper-triangular rate moves x with y, so branch_y force_x is what does work.
-  const auto shear = [&](int a, int b) { return barostat.legacy_shear ? p(a, b) : p(b, a); };
+  const auto shear = [&](int a, int b) { return barostat.legacy ? p(a, b) : p(b, a); };
   e.yz = (e.yz + kick * shear(1, 2)) * decay;
   e.xz = (e.xz + kick * shear(0, 2)) * decay;
   e.xy = (e.xy + kick * shear(0, 1)) * decay;
 }
 
-void stretch_cell(const double& time_step, Cell& cell) {
-  const double t = 0.5 * time_step;
-  const Triangle& e = cell.rate;
-  // exp(e t) h by its series, Horner's way; |e t| is far below 1, so 8 terms are exact to rounding.
-  Triangle sum = cell.edges;
+namespace {
+
+/// exp(e t) h by its series, Horner's way; |e t| is far below 1, so 8 terms are exact to rounding.
+Triangle stretched(const Triangle& h, const Triangle& e, double t) {
+  Triangle sum = h;
   for (int term = 8; term > 0; --term) {
     const Triangle next = product(e, sum);
     const double weight = t / term;
-    sum = {cell.edges.xx + weight * next.xx, cell.edges.yy + weight * next.yy,
-           cell.edges.zz + weight * next.zz, cell.edges.yz + weight * next.yz,
-           cell.edges.xz + weight * next.xz, cell.edges.xy + weight * next.xy};
+    sum = {h.xx + weight * next.xx, h.yy + weight * next.yy, h.zz + weight * next.zz,
+           h.yz + weight * next.yz, h.xz + weight * next.xz, h.xy + weight * next.xy};
   }
-  cell.edges = sum;
+  return sum;
+}
+
+/// The same to first order in the shear, as LAMMPS splits it: tilts over a half, then lengths, then
+/// tilts over a half with the old lengths.
+Triangle stretched_as_lammps(const Triangle& h, const Triangle& e, double t) {
+  const auto grow = [](double& tilt, double rate, double push, double time) {
+    const double factor = std::exp(0.5 * time * rate);
+    tilt = (tilt * factor + time * push) * factor;
+  };
+  Triangle out = h;
+  const auto tilts = [&] {
+    grow(out.xz, e.xx, e.xy * out.yz + e.xz * h.zz, 0.25 * t);
+    grow(out.yz, e.yy, e.yz * h.zz, 0.5 * t);
+    grow(out.xy, e.xx, e.xy * h.yy, 0.5 * t);
+    grow(out.xz, e.xx, e.xy * out.yz + e.xz * h.zz, 0.25 * t);
+  };
+  tilts();
+  tilts();
+  out.xx = h.xx * std::exp(t * e.xx);
+  out.yy = h.yy * std::exp(t * e.yy);
+  out.zz = h.zz * std::exp(t * e.zz);
+  return out;
+}
+
+}  // namespace
+
+void stretch_cell(const Barostat& barostat, const double& time_step, Cell& cell) {
+  cell.edges = (barostat.legacy ? stretched_as_lammps : stretched)(cell.edges, cell.rate, 0.5 * time_step);
 }
 
 }  // namespace furnas

@@ -13,6 +13,6 @@ void kick_cell(const Barostat& barostat, const double& time_step, const std::siz
                const Stress& stress, Cell& cell);
 
 /// Half a step of the cell's edges: h' = e h with constant e.
-void stretch_cell(const double& time_step, Cell& cell);
+void stretch_cell(const Barostat& barostat, const double& time_step, Cell& cell);
 
 }  // namespace furnas
