@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furnas {
+
+/// One case: everything a run is told, as the tables of its TOML file. The fields start from their
+/// defaults; their ranges and their documentation stand in io/case_schema.cpp.
+struct Case {
+  /// The spheres of a random start.
+  struct Mixture {
+    double size_ratio = 1;         ///< alpha = d_l/d_s
+    double small_fraction = 0;     ///< f_s, share of the small spheres in the volume of all spheres
+    std::int64_t large = 1000;     ///< N_l, number of large spheres
+    double start_fraction = 0.05;  ///< packing fraction of the random start
+    std::int64_t seed = 1;         ///< of the random start
+    friend bool operator==(const Mixture&, const Mixture&) = default;
+  };
+
+  /// A start that is read instead of drawn.
+  struct Start {
+    std::string file;  ///< path of a packing; empty: a random start from [mixture]
+    friend bool operator==(const Start&, const Start&) = default;
+  };
+
+  /// The law between two spheres that touch.
+  struct Contact {
+    std::string law = "hooke_synchronized";  ///< name of the contact law
+    double friction = 0.3;                   ///< Coulomb's coefficient mu
+    double tangential_stiffness = 1;         ///< k_t/k_n
+    double normal_damping = 0.5;             ///< gamma_n, multiplied by m_eff [1/time]
+    double tangential_damping = 0.5;         ///< gamma_t, multiplied by m_eff [1/time]
+    bool attraction = true;  ///< the normal force may turn negative while a contact opens (the paper)
+    std::string velocity = "peculiar";  ///< which relative velocity a contact feels: "peculiar" or "total"
+    friend bool operator==(const Contact&, const Contact&) = default;
+  };
+
+  /// How the cell is pressed and how time advances.
+  struct Compaction {
+    std::vector<double> pressure = {1e-4};     ///< p_a, one after the other [k_n/d_s]
+    std::string cell = "triclinic";            ///< which deformations the cell may make
+    double inertia = 1;                        ///< beta, W in units of M L_ref^2/12
+    std::optional<double> inertia_absolute;    ///< W itself, instead of `inertia` [rho d_s^5]
+    double drag = 0;                           ///< g, damps the strain rate of the cell [1/time]
+    double time_step = 0.02;                   ///< in collision times t_c of two spheres of size d_s
+    std::optional<double> time_step_absolute;  ///< instead of `time_step` [time]
+    friend bool operator==(const Compaction&, const Compaction&) = default;
+  };
+
+  /// When the packing is at rest, and when to give up.
+  struct Stop {
+    std::string criterion = "rest";   ///< "rest", or "paper": the kinetic energy alone
+    double stress_error = 1e-3;       ///< largest deviation of a stress component/p_a
+    double force_imbalance = 1e-4;    ///< mean |net force| on the backbone/mean contact force
+    double kinetic_energy = 1e-11;    ///< per particle [k_n d_s^2]
+    double strain_drift = 1e-6;       ///< largest strain of the cell in 1e5 steps
+    std::int64_t window = 10'000;     ///< steps over which all of these must hold
+    std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
+    friend bool operator==(const Stop&, const Stop&) = default;
+  };
+
+  /// How the machine is used; none of it changes what is computed, save `precision`.
+  struct Compute {
+    std::string precision = "double";  ///< of the contact arithmetic
+    std::optional<int> threads;        ///< empty: as many as the machine offers
+    std::optional<double> skin;        ///< of the neighbour list; empty: chosen by the program [d_s]
+    friend bool operator==(const Compute&, const Compute&) = default;
+  };
+
+  /// What is written, and how often.
+  struct Output {
+    std::int64_t history_every = 1000;  ///< steps between two rows of history.csv
+    std::int64_t snapshot_every = 0;    ///< steps between two frames; 0: none
+    double checkpoint_minutes = 10;     ///< minutes of wall time between two checkpoints
+    std::string picture = "fig1a";      ///< style of the final picture, or "none"
+    int picture_size = 2000;            ///< edge of the square picture [pixels]
+    std::string background = "white";   ///< "white" or "transparent"
+    friend bool operator==(const Output&, const Output&) = default;
+  };
+
+  Mixture mixture;
+  Start start;
+  Contact contact;
+  Compaction compaction;
+  Stop stop;
+  Compute compute;
+  Output output;
+  friend bool operator==(const Case&, const Case&) = default;
+};
+
+}  // namespace furnas

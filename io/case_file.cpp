@@ -1,0 +1,224 @@
+#include "io/case_file.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "engine/base/require.h"
+#include "io/case_check.h"
+#include "io/case_schema.h"
+#include "io/case_syntax.h"
+#include "io/case_value.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+/// Where each key was given, by its path: "case.toml:3" or "--set".
+using Places = std::map<std::string, std::string>;
+
+constexpr const char* override_place = "--set";
+
+std::string hint(const std::string& nearest, const std::string& known) {
+  if (!nearest.empty()) return fmt::format("the nearest known one is {}", nearest);
+  return fmt::format("known are {}", known);
+}
+
+std::string known_keys(std::string_view table) {
+  std::string names;
+  for (const Key& key : case_keys())
+    if (key.table == table) names += fmt::format("{}{}", names.empty() ? "" : ", ", key.name);
+  return names;
+}
+
+std::string known_tables() {
+  std::string names;
+  for (const std::string_view table : case_tables())
+    names += fmt::format("{}[{}]", names.empty() ? "" : ", ", table);
+  return names;
+}
+
+[[noreturn]] void refuse_unknown_key(std::string_view table, std::string_view name, const toml::node& node,
+                                     const std::string& place) {
+  throw InputError(fmt::format("{}: unknown key {}.{} = {}; {}", place, table, name, node_text(node),
+                               hint(nearest_key(table, name), known_keys(table))));
+}
+
+[[noreturn]] void refuse_unknown_table(std::string_view table, const toml::node& node,
+                                       const std::string& place) {
+  if (!node.is_table() && !node.is_array_of_tables()) {
+    const std::string nearest = nearest_key("", table);
+    throw InputError(fmt::format("{}: unknown key {} = {} outside of a table; {}", place, table,
+                                 node_text(node), hint(nearest, known_tables())));
+  }
+  const std::string nearest = nearest_table(table);
+  throw InputError(fmt::format("{}: unknown table [{}]; {}", place, table,
+                               hint(nearest.empty() ? nearest : "[" + nearest + "]", known_tables())));
+}
+
+bool is_table_name(std::string_view name) {
+  for (const std::string_view table : case_tables())
+    if (table == name) return true;
+  return false;
+}
+
+/// Two keys that say the same may not both be given.
+void refuse_rivals(const Places& places) {
+  for (const Key& key : case_keys()) {
+    const std::string rival = fmt::format("{}.{}", key.table, key.rival);
+    if (!key.rival.empty() && places.contains(key.path()) && places.contains(rival))
+      throw InputError(fmt::format("{}: {} and {} say the same in different units; allowed: one of them",
+                                   places.at(key.path()), key.path(), rival));
+  }
+}
+
+/// Sets the keys of a parsed file, each checked by itself.
+Case read_keys(const toml::table& root, const std::string& name, Places& places) {
+  Case c;
+  const auto place_of = [&](const toml::node& node) {
+    return fmt::format("{}:{}", name, node.source().begin.line);
+  };
+  for (const auto& [table_name, node] : root) {
+    const toml::table* table = node.as_table();
+    if (!is_table_name(table_name.str())) refuse_unknown_table(table_name.str(), node, place_of(node));
+    if (table == nullptr)
+      throw InputError(fmt::format("{}: {} = {} is not a table; allowed: [{}] once, keys below it",
+                                   place_of(node), table_name.str(), node_text(node), table_name.str()));
+    for (const auto& [key_name, value] : *table) {
+      const std::string place = place_of(value);
+      const Key* key = find_key(table_name.str(), key_name.str());
+      if (key == nullptr) refuse_unknown_key(table_name.str(), key_name.str(), value, place);
+      assign(*key, value, c, place);
+      places[key->path()] = place;
+    }
+  }
+  refuse_rivals(places);
+  if (!c.start.file.empty() && root.contains("mixture"))
+    throw InputError(
+        fmt::format("{}: start.file = \"{}\" and [mixture] exclude each other; allowed: one of them",
+                    places.at("start.file"), c.start.file));
+  return c;
+}
+
+Case parse_keys(std::string_view text, const std::string& name, Places& places) {
+  try {
+    return read_keys(toml::parse(text, std::string_view(name)), name, places);
+  } catch (const toml::parse_error& error) {
+    throw InputError(explain_syntax(text, name, error.source().begin.line, error.description()));
+  }
+}
+
+void apply_overrides(Case& c, std::span<const std::string> overrides, Places& places) {
+  for (const std::string& assignment : overrides) {
+    apply_override(c, assignment);
+    places[split_assignment(assignment).path] = override_place;
+  }
+}
+
+void refuse_conflicts(const Case& c, const std::string& name, const Places& places) {
+  const auto conflict = find_conflict(c);
+  if (!conflict) return;
+  const auto place = places.find(conflict->key);
+  throw InputError(fmt::format("{}: {}", place == places.end() ? name : place->second, conflict->message));
+}
+
+/// The value of an override; a word needs no quotes.
+toml::table parse_value(const Key& key, const std::string& text) {
+  Case any;
+  const bool quoted = text.starts_with('"') || text.starts_with('\'');
+  const bool literal = std::holds_alternative<std::string*>(key.field(any)) && !quoted;
+  if (!literal) {
+    try {
+      toml::table table = toml::parse("value = " + text);
+      if (table.size() == 1) return table;
+    } catch (const toml::parse_error&) {
+      // Not TOML: a bare word, or a mistake that is reported with what is allowed.
+    }
+  }
+  return toml::table{{"value", text}};
+}
+
+/// Puts the rival of a key back to its default, so that the key given last counts.
+void give_up_rival(const Key& key, Case& c) {
+  if (key.rival.empty()) return;
+  const Key& rival = *find_key(key.table, key.rival);
+  Case defaults;
+  const auto reset = [&](auto* field) { *field = *std::get<decltype(field)>(rival.field(defaults)); };
+  std::visit(reset, rival.field(c));
+}
+
+/// False for the one of two rivals that is not used: the absolute one counts if it is given.
+bool counts(const Key& key, const Case& c) {
+  if (value_text(key, c).empty()) return false;
+  Case any;
+  const bool absolute = std::holds_alternative<std::optional<double>*>(key.field(any));
+  return key.rival.empty() || absolute || value_text(*find_key(key.table, key.rival), c).empty();
+}
+
+}  // namespace
+
+Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides) {
+  Places places;
+  Case c = parse_keys(toml, name, places);
+  apply_overrides(c, overrides, places);
+  refuse_conflicts(c, name, places);
+  return c;
+}
+
+Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const std::string name = file.string();
+  if (std::filesystem::is_directory(file)) throw InputError(name + ": is a directory; allowed: a case file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(name + (std::filesystem::exists(file) ? ": cannot be read" : ": there is no such file"));
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+
+  Places places;
+  Case c = parse_keys(text, name, places);
+  if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
+  apply_overrides(c, overrides, places);
+  refuse_conflicts(c, name, places);
+  if (!c.start.file.empty()) {
+    if (!std::filesystem::is_regular_file(c.start.file))
+      throw InputError(fmt::format("{}: start.file = \"{}\" is not a file; allowed: the path of a packing",
+                                   places.at("start.file"), c.start.file));
+    c.start.file = std::filesystem::absolute(c.start.file).lexically_normal().string();
+  }
+  return c;
+}
+
+void apply_override(Case& c, std::string_view assignment) {
+  const auto [path, value] = split_assignment(assignment);
+  const auto dot = path.find('.');
+  const std::string table = path.substr(0, dot);
+  const std::string name = dot == std::string::npos ? "" : path.substr(dot + 1);
+  if (name.empty() || value.empty())
+    throw InputError(
+        fmt::format("{}: {} is not an assignment; allowed: table.key=value, e.g. contact.friction=0.3",
+                    override_place, assignment));
+  const Key* key = find_key(table, name);
+  if (key == nullptr) refuse_unknown_key(table, name, *toml::table{{"v", value}}.get("v"), override_place);
+  assign(*key, *parse_value(*key, value).get("value"), c, override_place);
+  give_up_rival(*key, c);
+}
+
+std::string resolved_toml(const Case& c) {
+  const std::string_view other_start = c.start.file.empty() ? "start" : "mixture";
+  std::string text = "# Every key of the case, with its unit and what it means.\n";
+  std::string_view table;
+  for (const Key& key : case_keys()) {
+    if (key.table == other_start) continue;
+    if (key.table != table) text += fmt::format("\n[{}]\n", key.table);
+    table = key.table;
+    const std::string unit = key.unit.empty() ? "" : fmt::format(" [{}]", key.unit);
+    if (counts(key, c))
+      text += fmt::format("{} = {}  #{} {}\n", key.name, value_text(key, c), unit, key.doc);
+    else
+      text += fmt::format("# {} is not used: {} is given\n", key.name, key.rival);
+  }
+  return text;
+}
+
+}  // namespace furnas

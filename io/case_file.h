@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/case.h"
+
+namespace furnas {
+
+/// Reads a case from TOML. Every error is an InputError of one line that names the file, the line, the key,
+/// its value and what is allowed. `name` stands for the file in errors; each of `overrides` is an
+/// assignment as in `apply_override`.
+Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides = {});
+
+/// Reads a case file. A relative start.file is looked for beside the case file, one that comes with an
+/// override in the current directory; in the case it is absolute.
+Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+/// Sets one key, e.g. "contact.friction=0.3", "compaction.pressure=[1e-3, 1e-4]" or
+/// "contact.law=hooke_history", and gives its rival up. Checks the key alone: call `validate` after the last
+/// one.
+void apply_override(Case& c, std::string_view assignment);
+
+/// The case as TOML with every default, its units and its documentation. Reading it gives the same case.
+std::string resolved_toml(const Case& c);
+
+}  // namespace furnas

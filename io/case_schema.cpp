@@ -1,0 +1,199 @@
+#include "io/case_schema.h"
+
+#include <cmath>
+#include <utility>
+
+namespace furnas {
+namespace {
+
+constexpr double many_steps = 1e12;
+
+Range from_to(double least, double most) { return {.least = least, .most = most}; }
+Range above_to(double least, double most) { return {.least = least, .most = most, .above_least = true}; }
+Range from_below(double least, double most) { return {.least = least, .most = most, .below_most = true}; }
+
+/// A key without a word for emptiness and without a rival, as most are.
+Key plain(std::string_view table, std::string_view name, std::string_view unit,
+          std::variant<std::monostate, Range, Choices> allowed, std::string_view doc, Field (*field)(Case&)) {
+  return {table, name, unit, std::move(allowed), {}, {}, doc, field};
+}
+
+/// A key of which "auto" leaves the choice to the program.
+Key automatic(std::string_view table, std::string_view name, std::string_view unit, Range allowed,
+              std::string_view doc, Field (*field)(Case&)) {
+  return {table, name, unit, allowed, "auto", {}, doc, field};
+}
+
+/// A key that says the same as `rival` in another unit; a case gives one of the two.
+Key either(std::string_view table, std::string_view name, std::string_view rival, std::string_view unit,
+           Range allowed, std::string_view doc, Field (*field)(Case&)) {
+  return {table, name, unit, allowed, {}, rival, doc, field};
+}
+
+std::vector<Key> mixture_and_start() {
+  return {
+      plain("mixture", "size_ratio", "", from_to(1, 100),
+            "diameter of the large spheres over that of the small ones, alpha; the small ones have d_s = 1",
+            [](Case& c) -> Field { return &c.mixture.size_ratio; }),
+      plain("mixture", "small_fraction", "", from_below(0, 1),
+            "share of the small spheres in the volume of all spheres, f_s; 0: all spheres are large",
+            [](Case& c) -> Field { return &c.mixture.small_fraction; }),
+      plain("mixture", "large", "", from_to(1, 1e7),
+            "number of large spheres N_l; the small ones follow, N_s = N_l alpha^3 f_s/(1 - f_s)",
+            [](Case& c) -> Field { return &c.mixture.large; }),
+      plain("mixture", "start_fraction", "", above_to(0, 0.3),
+            "packing fraction of the random start; beyond 0.3 random insertion finds no more room",
+            [](Case& c) -> Field { return &c.mixture.start_fraction; }),
+      plain("mixture", "seed", "", from_to(0, 1e15),
+            "chooses the random start; the same seed gives the same bits",
+            [](Case& c) -> Field { return &c.mixture.seed; }),
+      plain("start", "file", "", std::monostate{},
+            "start from this packing instead of [mixture]: LAMMPS data, extended XYZ or a checkpoint",
+            [](Case& c) -> Field { return &c.start.file; }),
+  };
+}
+
+std::vector<Key> contact() {
+  return {
+      plain("contact", "law", "", Choices{"hooke_synchronized", "hooke_history"},
+            "hooke_history is the paper's scheme; with friction it errs above a size ratio of about 3",
+            [](Case& c) -> Field { return &c.contact.law; }),
+      plain("contact", "friction", "", from_to(0, 1e30),
+            "Coulomb's coefficient mu; 0 leaves out spin and tangential forces, 1e30 never slides",
+            [](Case& c) -> Field { return &c.contact.friction; }),
+      plain("contact", "tangential_stiffness", "k_n", from_to(0, 10),
+            "k_t/k_n; above 10 the tangential spring, not the normal one, would set the time step",
+            [](Case& c) -> Field { return &c.contact.tangential_stiffness; }),
+      plain("contact", "normal_damping", "1/time", from_to(0, 100),
+            "gamma_n; the damping force is m_eff gamma_n times the normal velocity",
+            [](Case& c) -> Field { return &c.contact.normal_damping; }),
+      plain("contact", "tangential_damping", "1/time", from_to(0, 100),
+            "gamma_t; the damping force is m_eff gamma_t times the slip velocity",
+            [](Case& c) -> Field { return &c.contact.tangential_damping; }),
+      plain("contact", "attraction", "", std::monostate{},
+            "let damping pull while a contact opens, as in the paper; false: the normal force never attracts",
+            [](Case& c) -> Field { return &c.contact.attraction; }),
+      plain("contact", "velocity", "", Choices{"peculiar", "total"},
+            "relative velocity at a contact, without (peculiar) or with (total) the cell's affine flow",
+            [](Case& c) -> Field { return &c.contact.velocity; }),
+  };
+}
+
+std::vector<Key> compaction() {
+  return {
+      plain("compaction", "pressure", "k_n/d_s", above_to(0, 0.1),
+            "applied pressure p_a, or a list: a staircase; beyond 0.1 overlaps are no longer small",
+            [](Case& c) -> Field { return &c.compaction.pressure; }),
+      plain("compaction", "cell", "", Choices{"triclinic", "orthorhombic", "cubic", "fixed"},
+            "what may change: edges and angles, edges, the volume alone, or nothing",
+            [](Case& c) -> Field { return &c.compaction.cell; }),
+      either("compaction", "inertia", "inertia_absolute", "M L_ref^2/12", above_to(0, 1e6),
+             "inertia of the cell, beta; far from 1 the cell rings (light) or bounces (heavy)",
+             [](Case& c) -> Field { return &c.compaction.inertia; }),
+      either("compaction", "inertia_absolute", "inertia", "rho d_s^5", above_to(0, 1e30),
+             "inertia of the cell W itself, instead of inertia",
+             [](Case& c) -> Field { return &c.compaction.inertia_absolute; }),
+      plain("compaction", "drag", "1/time", from_to(0, 1000),
+            "damps the strain rate of the cell as exp(-drag t); changes frictional phi_J by about 0.01",
+            [](Case& c) -> Field { return &c.compaction.drag; }),
+      either("compaction", "time_step", "time_step_absolute", "t_c", above_to(0, 0.2),
+             "time step in collision times of two spheres of size d_s; above 0.2 a collision is not resolved",
+             [](Case& c) -> Field { return &c.compaction.time_step; }),
+      either("compaction", "time_step_absolute", "time_step", "time", above_to(0, 1000),
+             "time step itself, instead of time_step",
+             [](Case& c) -> Field { return &c.compaction.time_step_absolute; }),
+  };
+}
+
+std::vector<Key> stop() {
+  return {
+      plain("stop", "criterion", "", Choices{"rest", "paper"},
+            "rest: all of the conditions below; paper: the kinetic energy per particle alone",
+            [](Case& c) -> Field { return &c.stop.criterion; }),
+      plain("stop", "stress_error", "", above_to(0, 1),
+            "largest deviation of a stress component from the applied one, over p_a",
+            [](Case& c) -> Field { return &c.stop.stress_error; }),
+      plain("stop", "force_imbalance", "", above_to(0, 1),
+            "mean net force on the backbone over the mean contact force",
+            [](Case& c) -> Field { return &c.stop.force_imbalance; }),
+      plain("stop", "kinetic_energy", "k_n d_s^2", above_to(0, 1),
+            "kinetic energy per particle, of the backbone (rest) or of all (paper)",
+            [](Case& c) -> Field { return &c.stop.kinetic_energy; }),
+      plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 1e5 steps",
+            [](Case& c) -> Field { return &c.stop.strain_drift; }),
+      plain("stop", "window", "steps", from_to(1, 1e9),
+            "steps over which the conditions must hold without a break",
+            [](Case& c) -> Field { return &c.stop.window; }),
+      plain("stop", "steps", "steps", from_to(0, many_steps),
+            "cap on the steps of the run; a run that ends by it is not called jammed",
+            [](Case& c) -> Field { return &c.stop.steps; }),
+  };
+}
+
+std::vector<Key> compute() {
+  return {
+      plain("compute", "precision", "", Choices{"double"}, "arithmetic of the contacts",
+            [](Case& c) -> Field { return &c.compute.precision; }),
+      automatic("compute", "threads", "", from_to(1, 1024),
+                "threads; the result has the same bits for any number of them",
+                [](Case& c) -> Field { return &c.compute.threads; }),
+      automatic("compute", "skin", "d_s", from_to(0, 10),
+                "margin of the neighbour list; changes the speed, not the result",
+                [](Case& c) -> Field { return &c.compute.skin; }),
+  };
+}
+
+std::vector<Key> output() {
+  return {
+      plain("output", "history_every", "steps", from_to(1, many_steps),
+            "steps between two rows of history.csv",
+            [](Case& c) -> Field { return &c.output.history_every; }),
+      plain("output", "snapshot_every", "steps", from_to(0, many_steps),
+            "steps between two frames of frames.pvd; 0: none",
+            [](Case& c) -> Field { return &c.output.snapshot_every; }),
+      plain("output", "checkpoint_minutes", "minutes", above_to(0, 1e5),
+            "wall time between two checkpoints, from which a stopped run resumes",
+            [](Case& c) -> Field { return &c.output.checkpoint_minutes; }),
+      plain("output", "picture", "", Choices{"fig1a", "none"}, "style of the picture of the final packing",
+            [](Case& c) -> Field { return &c.output.picture; }),
+      plain("output", "picture_size", "pixels", from_to(16, 8192), "edge of the square picture",
+            [](Case& c) -> Field { return &c.output.picture_size; }),
+      plain("output", "background", "", Choices{"white", "transparent"}, "what stands behind the packing",
+            [](Case& c) -> Field { return &c.output.background; }),
+  };
+}
+
+}  // namespace
+
+std::span<const Key> case_keys() {
+  static const std::vector<Key> keys = [] {
+    std::vector<Key> all;
+    for (const auto& keys_of_table :
+         {mixture_and_start(), contact(), compaction(), stop(), compute(), output()})
+      all.insert(all.end(), keys_of_table.begin(), keys_of_table.end());
+    return all;
+  }();
+  return keys;
+}
+
+bool Range::contains(double value) const {
+  return std::isfinite(value) && (above_least ? value > least : value >= least) &&
+         (below_most ? value < most : value <= most);
+}
+
+std::string Key::path() const { return std::string(table) + "." + std::string(name); }
+
+std::vector<std::string_view> case_tables() {
+  std::vector<std::string_view> tables;
+  for (const Key& key : case_keys())
+    if (tables.empty() || tables.back() != key.table) tables.push_back(key.table);
+  return tables;
+}
+
+const Key* find_key(std::string_view table, std::string_view name) {
+  for (const Key& key : case_keys())
+    if (key.table == table && key.name == name) return &key;
+  return nullptr;
+}
+
+}  // namespace furnas
