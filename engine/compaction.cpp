@@ -51,14 +51,14 @@ void Observation::replace(const Packing& packing) {
 
 std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (step / period + 1) * period; }
 
-Verdict compact(Observation& now, const Events& events, const std::atomic<bool>* stop) {
+Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention) {
   require(!events.empty(), "a run needs an event that ends it");
   std::vector<std::int64_t> next;
   for (const auto& event : events) next.push_back(event->next(now.step()));
   while (true) {
     const std::int64_t target = *std::min_element(next.begin(), next.end());
-    now.simulation().advance(target - now.step(), stop);
-    const bool called = stop && *stop;
+    now.simulation().advance(target - now.step(), attention);
+    const bool called = attention && attention->exchange(false);
     for (std::size_t k = 0; k < events.size(); ++k) {
       if (next[k] > now.step() && !called) continue;
       if (events[k]->due(now))

@@ -63,8 +63,8 @@ std::int64_t next_multiple(std::int64_t step, std::int64_t period);
 /// The events of a run, in the order in which those of one step happen.
 using Events = std::vector<std::unique_ptr<Event>>;
 
-/// Runs from event to event until one of them ends it. `stop` makes the run look at its events after the
-/// current step.
-Verdict compact(Observation& now, const Events& events, const std::atomic<bool>* stop = nullptr);
+/// Runs from event to event until one of them ends it. Setting `attention` makes the run look at all its
+/// events after the current step; the run clears it.
+Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention = nullptr);
 
 }  // namespace furnas

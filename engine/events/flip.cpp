@@ -83,7 +83,10 @@ bool Flip::due(Observation& now) { return too_tilted(now.simulation().cell().edg
 
 std::optional<Verdict> Flip::fire(Observation& now) {
   Packing packing = now.packing();
-  if (flip_cell(packing)) now.replace(packing);
+  if (flip_cell(packing)) {
+    now.replace(packing);
+    ++count_;
+  }
   return {};
 }
 

@@ -16,6 +16,12 @@ class Flip final : public Event {
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
+
+  /// How often it has happened.
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::int64_t count_ = 0;
 };
 
 }  // namespace furnas
