@@ -122,10 +122,10 @@ std::vector<Key> stop() {
       plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 1e5 steps",
             [](Case& c) -> Field { return &c.stop.strain_drift; }),
       plain("stop", "window", "steps", from_to(1, 1e9),
-            "steps over which the conditions must hold without a break",
+            "stretch over which the conditions must hold without a break",
             [](Case& c) -> Field { return &c.stop.window; }),
       plain("stop", "steps", "steps", from_to(0, many_steps),
-            "cap on the steps of the run; a run that ends by it is not called jammed",
+            "cap on the length of the run; a run that ends by it is not called jammed",
             [](Case& c) -> Field { return &c.stop.steps; }),
   };
 }
@@ -146,13 +146,13 @@ std::vector<Key> compute() {
 std::vector<Key> output() {
   return {
       plain("output", "history_every", "steps", from_to(1, many_steps),
-            "steps between two rows of history.csv",
+            "from one row of history.csv to the next",
             [](Case& c) -> Field { return &c.output.history_every; }),
       plain("output", "snapshot_every", "steps", from_to(0, many_steps),
-            "steps between two frames of frames.pvd; 0: none",
+            "from one frame of frames.pvd to the next; 0: no frames",
             [](Case& c) -> Field { return &c.output.snapshot_every; }),
       plain("output", "checkpoint_minutes", "minutes", above_to(0, 1e5),
-            "wall time between two checkpoints, from which a stopped run resumes",
+            "wall time from one checkpoint to the next; a stopped run resumes from the last",
             [](Case& c) -> Field { return &c.output.checkpoint_minutes; }),
       plain("output", "picture", "", Choices{"fig1a", "none"}, "style of the picture of the final packing",
             [](Case& c) -> Field { return &c.output.picture; }),

@@ -1,0 +1,26 @@
+#include <fmt/format.h>
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cases/program.h"
+
+// The commands of the program, one line each, in the order of the help. `command(verb)` stands for the
+// function Command verb_command() of cases/commands/.
+#define FURNAS_COMMANDS(command) command(new) command(schema) command(info)
+
+namespace furnas {
+#define FURNAS_DECLARE(verb) Command verb##_command();
+FURNAS_COMMANDS(FURNAS_DECLARE)
+#undef FURNAS_DECLARE
+}  // namespace furnas
+
+int main(int count, char** values) {
+#define FURNAS_CALL(verb) furnas::verb##_command(),
+  const std::vector<furnas::Command> commands = {FURNAS_COMMANDS(FURNAS_CALL)};
+#undef FURNAS_CALL
+  const std::vector<std::string> arguments(values + 1, values + count);
+  return static_cast<int>(furnas::run_program(commands, arguments, {std::cout, std::cerr}));
+}

@@ -1,0 +1,84 @@
+#include "cases/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "engine/base/require.h"
+
+namespace furnas {
+namespace {
+
+using testing::HasSubstr;
+
+/// A command that does what the test says.
+Command command_that(std::function<ExitCode(Console)> run) {
+  return {"act", "does what the test says", "furnas act", [](CLI::App&) {}, std::move(run)};
+}
+
+struct Answer {
+  ExitCode code;
+  std::string out, err;
+};
+
+Answer ask(const Command& command, const std::vector<std::string>& arguments) {
+  std::ostringstream out, err;
+  const std::vector<Command> commands = {command};
+  const ExitCode code = run_program(commands, arguments, {out, err});
+  return {code, out.str(), err.str()};
+}
+
+template <class Error>
+Command command_that_throws(const Error& error) {
+  return command_that([error](Console) -> ExitCode { throw error; });
+}
+
+TEST(Program, HandsOnTheCodeOfTheCommand) {
+  for (const ExitCode code :
+       {ExitCode::done, ExitCode::refused, ExitCode::budget_spent, ExitCode::interrupted})
+    EXPECT_EQ(ask(command_that([code](Console) { return code; }), {"act"}).code, code);
+}
+
+TEST(Program, TurnsErrorsIntoOneLineAndACode) {
+  const auto input = ask(command_that_throws(InputError("case.toml:3: no\nsuch")), {"act"});
+  EXPECT_EQ(input.code, ExitCode::bad_case);
+  EXPECT_EQ(input.err, "furnas: case.toml:3: no such\n");
+  const auto contract = ask(command_that_throws(ContractError("a.cpp:1: broken")), {"act"});
+  EXPECT_EQ(contract.code, ExitCode::internal_error);
+  EXPECT_EQ(contract.err, "furnas: internal error: a.cpp:1: broken\n");
+  const auto memory = ask(command_that_throws(std::bad_alloc()), {"act"});
+  EXPECT_EQ(memory.code, ExitCode::internal_error);
+  EXPECT_EQ(memory.err, "furnas: out of memory\n");
+}
+
+TEST(Program, AWrongCommandLineIsABadCase) {
+  const Command act = command_that([](Console) { return ExitCode::done; });
+  for (const auto& [arguments, expected] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{}, "a command is missing; allowed: act"},
+           {{"atc"}, "atc is no command; allowed: act"},
+           {{"--bogus"}, "see furnas --help"},
+           {{"act", "--bogus"}, "--bogus; see furnas act --help"}}) {
+    const Answer answer = ask(act, arguments);
+    EXPECT_EQ(answer.code, ExitCode::bad_case);
+    EXPECT_THAT(answer.err, HasSubstr(expected));
+    EXPECT_EQ(answer.err.find('\n'), answer.err.size() - 1);
+  }
+}
+
+TEST(Program, HelpShowsTheTableAndTheExample) {
+  const Command act = command_that([](Console) { return ExitCode::internal_error; });
+  const Answer table = ask(act, {"--help"});
+  EXPECT_EQ(table.code, ExitCode::done);
+  EXPECT_THAT(table.out, HasSubstr("does what the test says"));
+  const Answer help = ask(act, {"act", "--help"});
+  EXPECT_EQ(help.code, ExitCode::done);
+  EXPECT_THAT(help.out, HasSubstr("Example:\n  furnas act"));
+  EXPECT_THAT(ask(act, {"--version"}).out, HasSubstr("furnas "));
+}
+
+}  // namespace
+}  // namespace furnas
