@@ -1,12 +1,17 @@
 #include "cases/recording.h"
 
+#include <fmt/format.h>
+
+#include <sstream>
+
 #include "engine/base/require.h"
 #include "io/vtk_xml.h"
 
 namespace furnas {
 namespace {
 
-constexpr const char* checkpoint_names[] = {"checkpoint.a.furnas", "checkpoint.b.furnas"};
+constexpr const char* checkpoint_names[] = {"a.checkpoint", "b.checkpoint"};
+constexpr const char* resting_states_key = "resting states: pressure phi step";
 
 }  // namespace
 
@@ -26,8 +31,11 @@ std::optional<Verdict> RecordFrame::fire(Observation& now) {
   return {};
 }
 
-void Checkpoints::write(const Packing& packing, const std::string& case_text) {
-  write_checkpoint({packing, case_text, {}}, folder_ / checkpoint_names[second_]);
+void Checkpoints::write(const Packing& packing, const std::string& case_text,
+                        const std::vector<RestingState>& reached) {
+  std::string rows;
+  for (const RestingState& s : reached) rows += fmt::format("{} {} {}\n", s.pressure, s.phi, s.step);
+  write_checkpoint({packing, case_text, {{resting_states_key, rows}}}, folder_ / checkpoint_names[second_]);
   second_ = !second_;
 }
 
@@ -48,10 +56,21 @@ Checkpoint Checkpoints::read_newest(const std::filesystem::path& folder) {
                                   : faults);
 }
 
-SaveCheckpoint::SaveCheckpoint(Checkpoints& checkpoints, std::string case_text, double minutes,
+std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
+  std::vector<RestingState> reached;
+  const auto found = checkpoint.extras.find(resting_states_key);
+  if (found == checkpoint.extras.end()) return reached;
+  std::istringstream rows(found->second);
+  for (RestingState s; rows >> s.pressure >> s.phi >> s.step;) reached.push_back(s);
+  return reached;
+}
+
+SaveCheckpoint::SaveCheckpoint(Checkpoints& checkpoints, std::string case_text,
+                               const std::vector<RestingState>& reached, double minutes,
                                std::atomic<bool>& asked)
     : checkpoints_(checkpoints),
       case_text_(std::move(case_text)),
+      reached_(reached),
       period_(std::chrono::duration<double, std::ratio<60>>(minutes)),
       asked_(asked) {}
 
@@ -59,7 +78,7 @@ bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >
 
 std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
-  checkpoints_.write(now.packing(), case_text_);
+  checkpoints_.write(now.packing(), case_text_, reached_);
   last_ = Clock::now();
   return {};
 }

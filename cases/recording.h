@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "engine/compaction.h"
+#include "engine/events/at_rest.h"
 #include "io/case.h"
 #include "io/checkpoint.h"
 #include "io/frames_pvd.h"
@@ -50,7 +50,7 @@ class Checkpoints {
   explicit Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Writes over the older one.
-  void write(const Packing& packing, const std::string& case_text);
+  void write(const Packing& packing, const std::string& case_text, const std::vector<RestingState>& reached);
 
   /// The newer of those that can be read; throws InputError naming both faults when none can.
   static Checkpoint read_newest(const std::filesystem::path& folder);
@@ -60,10 +60,14 @@ class Checkpoints {
   bool second_ = false;
 };
 
+/// The pressures at which a checkpointed run had come to rest.
+std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint);
+
 /// Saves a checkpoint every so many minutes, and when asked to.
 class SaveCheckpoint final : public Event {
  public:
-  SaveCheckpoint(Checkpoints& checkpoints, std::string case_text, double minutes, std::atomic<bool>& asked);
+  SaveCheckpoint(Checkpoints& checkpoints, std::string case_text, const std::vector<RestingState>& reached,
+                 double minutes, std::atomic<bool>& asked);
   const char* name() const override { return "checkpoint"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
@@ -73,6 +77,7 @@ class SaveCheckpoint final : public Event {
   using Clock = std::chrono::steady_clock;
   Checkpoints& checkpoints_;
   std::string case_text_;
+  const std::vector<RestingState>& reached_;
   std::chrono::duration<double> period_;
   std::atomic<bool>& asked_;
   Clock::time_point last_ = Clock::now();

@@ -37,9 +37,12 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
   switch (verdict) {
     case Verdict::jammed:
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
-    case Verdict::diverged: return Diverged::reason(m);
-    case Verdict::interrupted: return "stopped by a signal; resume goes on";
-    case Verdict::budget: break;
+    case Verdict::diverged:
+      return Diverged::reason(m);
+    case Verdict::interrupted:
+      return "stopped by a signal; resume goes on";
+    case Verdict::budget:
+      break;
   }
   const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
   return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
@@ -62,10 +65,14 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
 
 ExitCode exit_code_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::jammed: return ExitCode::done;
-    case Verdict::budget: return ExitCode::budget_spent;
-    case Verdict::diverged: return ExitCode::numerical_failure;
-    case Verdict::interrupted: return ExitCode::interrupted;
+    case Verdict::jammed:
+      return ExitCode::done;
+    case Verdict::budget:
+      return ExitCode::budget_spent;
+    case Verdict::diverged:
+      return ExitCode::numerical_failure;
+    case Verdict::interrupted:
+      return ExitCode::interrupted;
   }
   return ExitCode::internal_error;
 }
@@ -75,13 +82,15 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
   std::string text = fmt::format("verdict   {} ({})\n", to_string(r.verdict), r.reason);
   if (r.phi_J())
-    text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure, c.contact.friction);
+    text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,
+                        c.contact.friction);
   else
     text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
-  text += fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
-                      m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
-  text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n", backbone.large,
-                      r.large, backbone.small, r.small, m.backbone_threshold);
+  text +=
+      fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
+                  m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
+  text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
+                      backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
                       duration_text(r.wall_seconds),
                       static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
@@ -98,18 +107,21 @@ ExitCode run_case(const RunOrder& order, Console console) {
   write_file(order.folder / "case.resolved.toml", case_text);
 
   const bool fresh = !order.continued;
-  const Packing start = fresh ? start_of(c) : *order.continued;
+  const Packing start = fresh ? start_of(c) : order.continued->packing;
   const int threads = c.compute.threads ? *c.compute.threads : threads_for(start.size());
   const std::unique_ptr<Simulation> simulation = make_simulation(model_of(c, start), start, threads);
   Observation now(*simulation, backbone_threshold_of(c));
   RestWatch watch(rest_criteria_of(c));
   Checkpoints checkpoints(order.folder);
   std::vector<RestingState> reached;
+  if (!fresh) reached = resting_states_of(*order.continued);
+  if (!reached.empty()) simulation->set_pressure(c.compaction.pressure.at(reached.size()));
   Requests requests;
   const auto begin = Clock::now();
 
-  RunContext context{c, order.folder, case_text, start.step, start.time, {}, console.err,
-                     isatty(STDERR_FILENO) == 1, requests, watch, checkpoints, reached};
+  RunContext context{c,          order.folder, case_text,   start.step,
+                     start.time, {},           console.err, isatty(STDERR_FILENO) == 1,
+                     requests,   watch,        checkpoints, reached};
   if (order.walltime) context.deadline = begin + *order.walltime;
   const Events events = schedule(context);
   const SignalGuard guard(requests);
@@ -133,9 +145,9 @@ ExitCode run_case(const RunOrder& order, Console console) {
   result.threads = threads;
   result.steps_here = simulation->step() - start.step;
   result.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (verdict == Verdict::jammed) result.reached.push_back({result.pressure, result.measures.phi, now.step()});
-
-  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text);
+  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached);
+  if (verdict == Verdict::jammed)
+    result.reached.push_back({result.pressure, result.measures.phi, now.step()});
   write_outputs({c, now.packing(), result}, order.folder);
   const std::string text = summary(result, c, order.folder);
   write_file(order.folder / "log.txt", text);

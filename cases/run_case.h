@@ -6,6 +6,7 @@
 
 #include "cases/commands/command.h"
 #include "io/case.h"
+#include "io/checkpoint.h"
 #include "io/result.h"
 
 namespace furnas {
@@ -13,8 +14,8 @@ namespace furnas {
 /// A run to do: its case, where its files go and where it begins.
 struct RunOrder {
   Case resolved_case;
-  std::filesystem::path folder;            ///< exists already
-  std::optional<Packing> continued;        ///< the packing of a checkpoint; absent: the start of the case
+  std::filesystem::path folder;         ///< exists already
+  std::optional<Checkpoint> continued;  ///< where to go on; absent: at the start of the case
   std::optional<std::chrono::seconds> walltime;
 };
 

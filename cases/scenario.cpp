@@ -48,12 +48,8 @@ Mixture mixture_of(const Case& c) {
 Packing start_of(const Case& c) {
   if (c.start.file.empty()) return dilute_start(mixture_of(c));
   Packing packing = read_packing(c.start.file);
-  // A start has no past: its forces are taken anew and its clock begins at 0.
-  packing.step = 0;
+  packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
-  packing.order.clear();
-  packing.contacts.clear();
-  packing.cell.rate = {};
   return packing;
 }
 
@@ -66,7 +62,9 @@ Model model_of(const Case& c, const Packing& packing) {
   model.barostat.drag = c.compaction.drag;
   model.barostat.legacy = c.contact.law == HookeHistory::name;
   const auto step = time_step(c);
-  if (!step) throw InputError("compaction.time_step: no collision time, the contact of two small spheres is overdamped");
+  if (!step)
+    throw InputError(
+        "compaction.time_step: no collision time, the contact of two small spheres is overdamped");
   model.time_step = *step;
   model.affine_velocity = c.contact.velocity == "total";
   model.skin = c.compute.skin;

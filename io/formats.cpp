@@ -64,6 +64,15 @@ std::string listed(Has has) {
   return text;
 }
 
+/// The names alone.
+template <class Has>
+std::string names(Has has) {
+  std::string text;
+  for (const Format& format : all)
+    if (has(format)) text += fmt::format("{}{}", text.empty() ? "" : ", ", format.name);
+  return text;
+}
+
 const Format& writable(std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.name == name && f.write; });
@@ -76,6 +85,21 @@ const Format& writable(std::string_view name) {
 }  // namespace
 
 std::span<const Format> formats() { return all; }
+
+std::string names_of_written_formats() {
+  return names([](const Format& f) { return f.write != nullptr; });
+}
+
+std::string names_of_read_formats() {
+  return names([](const Format& f) { return f.read != nullptr; });
+}
+
+std::string_view format_by_extension(const std::filesystem::path& path) {
+  for (const Format& format : all)
+    if (format.write && has_extension(format, path.extension().string())) return format.name;
+  throw InputError(fmt::format("{}: its extension tells no format to write; allowed are {}", path.string(),
+                               listed([](const Format& f) { return f.write != nullptr; })));
+}
 
 Packing read_packing(const std::filesystem::path& path) {
   const std::string head = head_of(path), extension = path.extension().string();

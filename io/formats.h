@@ -24,6 +24,13 @@ struct Format {
 /// All formats.
 std::span<const Format> formats();
 
+/// Names, between commas, of the formats that can be written, or that can be read.
+std::string names_of_written_formats();
+std::string names_of_read_formats();
+
+/// The format to write for the extension of a path; throws InputError for an unknown one.
+std::string_view format_by_extension(const std::filesystem::path& path);
+
 /// Reads a packing from a file of any format: its first bytes decide, then its extension. Throws InputError.
 Packing read_packing(const std::filesystem::path& path);
 

@@ -41,7 +41,7 @@ Command resume_command() {
     validate(order.resolved_case);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
     order.folder = options->folder;
-    order.continued = std::move(checkpoint.packing);
+    order.continued = std::move(checkpoint);
     return run_case(order, console);
   };
   return command;

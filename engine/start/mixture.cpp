@@ -1,5 +1,6 @@
 #include "engine/start/mixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
