@@ -10,8 +10,8 @@
 
 namespace furnas {
 
-/// The arrays of a VTK XML file of poly data whose data are appended raw, as VTK and ParaView write it by
-/// default; plain or compressed with zlib. All failures are InputErrors that name the file.
+/// The arrays of a VTK XML file of poly data whose data are appended raw, as write_vtp() and ParaView do;
+/// plain or compressed with zlib. All failures are InputErrors that name the file.
 ///
 /// Not VTK's reader: that of VTK 9.1 allocates any length that the file announces, and a damaged file can
 /// make it crash. Here no more is allocated than the bytes that are there can make.
