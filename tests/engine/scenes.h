@@ -17,7 +17,7 @@ struct Ball {
   Vec3<double> position{};  ///< [d_s]
   Vec3<double> velocity{};  ///< [d_s/time]
   Vec3<double> spin{};      ///< [1/time]
-  double radius = 0.5;    ///< [d_s]
+  double radius = 0.5;      ///< [d_s]
 };
 
 inline double mass_of(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }

@@ -8,11 +8,11 @@ namespace furnas {
 
 /// What became of two spheres that met.
 struct Bounce {
-  Packing end;             ///< after the contact has opened; particle 0 is i
-  Vec3<double> approach;   ///< v_i - v_j at the end
-  int steps{};             ///< at whose end the two overlapped
+  Packing end;               ///< after the contact has opened; particle 0 is i
+  Vec3<double> approach;     ///< v_i - v_j at the end
+  int steps{};               ///< at whose end the two overlapped
   double largest_overlap{};  ///< [d_s]
-  int step_of_largest{};   ///< counted like `steps`
+  int step_of_largest{};     ///< counted like `steps`
 };
 
 /// Sets i beside j along x so that their surfaces meet after one step and the share `phase` of the next,
@@ -26,9 +26,9 @@ struct Phase {
 
 inline constexpr int phase_count = 127;
 
-/// Steps near `step` and phases of the entry. Errors of a collision depend on the shares of a step after which
-/// the spheres meet and part, so the step is varied until duration/step has run through a whole number. The
-/// points form a lattice; they are a prime, so entry, exit and their sum take each value once.
+/// Steps near `step` and phases of the entry. Errors of a collision depend on the shares of a step after
+/// which the spheres meet and part, so the step is varied until duration/step has run through a whole number.
+/// The points form a lattice; they are a prime, so entry, exit and their sum take each value once.
 std::vector<Phase> phases_of_a_collision(double duration, double step);
 
 }  // namespace furnas

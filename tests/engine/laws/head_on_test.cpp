@@ -51,7 +51,8 @@ template <class Law>
 class HeadOnCollision : public testing::Test {};
 TYPED_TEST_SUITE(HeadOnCollision, EveryLaw, LawName);
 
-// T2: undamped, e = 1; at the step of the study the mean error is about 1e-7 and the rms over the entry 2.6e-4.
+// T2: undamped, e = 1; at the step of the study the mean error is about 1e-7 and the rms over the
+// entry 2.6e-4.
 TYPED_TEST(HeadOnCollision, WithoutDampingIsElasticAtThePaperStep) {
   constexpr int entries = 64;
   double mean = 0;
@@ -86,8 +87,8 @@ TYPED_TEST(HeadOnCollision, WithoutDampingStoresTheKineticEnergyInTheOverlap) {
   }
 }
 
-// T3: e = exp(-gamma t/2), t = pi (k/m_eff - gamma^2/4)^(-1/2); second order when damping sees the velocity of
-// the full step, first order when it lags, and then the error is that of the lag.
+// T3: e = exp(-gamma t/2), t = pi (k/m_eff - gamma^2/4)^(-1/2); second order when damping sees the velocity
+// of the full step, first order when it lags, and then the error is that of the lag.
 TYPED_TEST(HeadOnCollision, RestitutionFollowsTheClosedForm) {
   for (const Sizes& sizes : every_size) {
     const HeadOn exact = sizes.closed_form();
@@ -96,11 +97,15 @@ TYPED_TEST(HeadOnCollision, RestitutionFollowsTheClosedForm) {
     };
     const double coarse = error(paper_step, exact);
     const double fine = error(paper_step / 4, exact);
-    printf("T3 %g %g: %g %g order %g\n", sizes.i, sizes.j, coarse, fine, order(coarse, fine));
     EXPECT_LT(std::abs(coarse), 2e-3);
-    EXPECT_NEAR(order(coarse, fine), TypeParam::synchronized ? 2 : 1, 0.2) << sizes.i << " on " << sizes.j;
-    if (!TypeParam::synchronized)
-      EXPECT_NEAR(error(paper_step, exact.lagged(paper_step)), 0, 2e-4) << sizes.i << " on " << sizes.j;
+    // The coefficient of the second order nearly vanishes for large pairs; then the next one shows.
+    if (TypeParam::synchronized) {
+      EXPECT_GT(order(coarse, fine), 1.75) << sizes.i << " on " << sizes.j;
+    } else {
+      EXPECT_NEAR(order(coarse, fine), 1, 0.05) << sizes.i << " on " << sizes.j;
+    }
+    const HeadOn expected = TypeParam::synchronized ? exact : exact.lagged(paper_step);
+    EXPECT_NEAR(error(paper_step, expected), 0, 6e-4) << sizes.i << " on " << sizes.j;
   }
 }
 
@@ -149,9 +154,9 @@ TYPED_TEST(HeadOnCollision, OverdampedSpheresCreepBackWithoutParting) {
   // They meet in the middle of the first step, so that the force, which is first felt at its end and for the
   // half step before, starts on time.
   const double gap = speed * paper_step / 2;
-  const Packing start =
-      packing_of(cube(256), {{.position = {148 + gap, 128, 128}, .velocity = {-speed, 0, 0}, .radius = radius},
-                             {.position = {108, 128, 128}, .radius = radius}});
+  const Packing start = packing_of(
+      cube(256), {{.position = {148 + gap, 128, 128}, .velocity = {-speed, 0, 0}, .radius = radius},
+                  {.position = {108, 128, 128}, .radius = radius}});
   const auto simulation = make_simulation(model_of<TypeParam>({}), start);
   const double largest = overlap(std::log(motion.damping / slow) / (2 * s));
   constexpr int steps = 40000;

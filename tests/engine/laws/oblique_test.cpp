@@ -37,8 +37,8 @@ Outcome collide(const HookeConstants& constants, double step, double speed, doub
   return mean;
 }
 
-// T6: J_t = mu times the integral of |F_n|; slip' = v_t - (7/2) J_t/m_eff for any sizes, spin_i = J_t/(0.4 m_i R_i).
-// The integral exceeds (1 + e) m_eff v_n because a contact that attracts while it opens rubs on.
+// T6: J_t = mu times the integral of |F_n|; slip' = v_t - (7/2) J_t/m_eff for any sizes, spin_i = J_t/(0.4
+// m_i R_i). The integral exceeds (1 + e) m_eff v_n because a contact that attracts while it opens rubs on.
 TYPED_TEST(ObliqueCollision, GrossSlidingTakesTheImpulseOfCoulomb) {
   constexpr double speed = 1e-4;
   constexpr double friction = 0.05;
@@ -78,8 +78,11 @@ TYPED_TEST(ObliqueCollision, WithoutSlidingTheSurfacesSpringBack) {
                       step / 2 * exact.lagged(step).slip_of_displacement(normal.lagged(step).duration());
         return collide<TypeParam>(constants, step, speed, 0.5, radius).slip / speed - expected;
       };
-      printf("T7 %g %g: %g %g %g\n", radius, damping, error(paper_step), error(paper_step / 2), error(paper_step / 4));
-      EXPECT_LT(std::abs(error(paper_step / 2)), 1e-3);
+      const double coarse = error(paper_step / 2);
+      EXPECT_LT(std::abs(coarse), 1e-3) << radius << " damping " << damping;
+      if (TypeParam::synchronized && damping > 0) {
+        EXPECT_NEAR(std::log(coarse / error(paper_step / 8)) / std::log(4), 2, 0.2) << radius;
+      }
     }
   }
 }
@@ -100,7 +103,6 @@ TYPED_TEST(ObliqueCollision, OppositeSpinsOfEqualSpheresStay) {
 
 // T11: no collision from 1 to 89 degrees makes energy.
 TYPED_TEST(ObliqueCollision, NeverGainsEnergy) {
-  double worst = -1;
   for (double speed : {1e-3, 1e-1})
     for (double friction : {0.05, 0.3, 0.5, 1.0}) {
       for (int degrees = 1; degrees < 90; ++degrees) {
@@ -110,11 +112,9 @@ TYPED_TEST(ObliqueCollision, NeverGainsEnergy) {
         ASSERT_GT(b.steps, 0);
         ASSERT_TRUE(b.end.contacts.empty());
         const double before = 0.5 * mass_of(0.5) * speed * speed;
-        worst = std::max(worst, kinetic_energy(b.end) / before - 1);
         EXPECT_LE(kinetic_energy(b.end), before * (1 + 1e-6)) << degrees << " degrees, friction " << friction;
       }
     }
-  printf("T11 worst %g\n", worst);
 }
 
 }  // namespace
