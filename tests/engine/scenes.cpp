@@ -67,17 +67,29 @@ Model jammed_model() { return model_of<HookeSynchronized>({.friction = 0.3}); }
 
 const Packing& jammed() {
   static const Packing packing = [] {
-    const Packing gas = dilute_start({.size_ratio = 3, .small_fraction = 0.3, .large = 16, .seed = 7});
+    const Packing gas = dilute_start({.size_ratio = 3, .small_fraction = 0.6, .large = 5, .seed = 7});
     Model model = jammed_model();
     const double length = std::cbrt(gas.sphere_volume() / 0.64);
     model.barostat.freedom = CellFreedom::triclinic;
     model.barostat.inertia = gas.sphere_volume() * length * length / 12;
+    model.barostat.drag = 0.04;
     constexpr int steps = 30000;
     Packing settled = after(model, gas, steps);
     settled.cell.rate = {};
     return settled;
   }();
   return packing;
+}
+
+Packing squeezed(double speed) {
+  Packing p = jammed();
+  constexpr double s = 0.98;
+  p.cell.edges = product({s, s, s, 0, 0, 0}, p.cell.edges);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const auto n = static_cast<double>(k);
+    p.velocity[k] = speed * Vec3<double>{std::sin(n), std::sin(2 * n), std::cos(3 * n)};
+  }
+  return p;
 }
 
 }  // namespace furnas

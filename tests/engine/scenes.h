@@ -59,6 +59,10 @@ double sum_of_forces(const Packing& packing);
 /// contacts carry histories. Made once, with the default law.
 const Packing& jammed();
 
+/// The jammed packing squeezed by 2 % along each edge and its particles kicked: overlaps of a hundredth, so
+/// that it stays a packing under any law and friction.
+Packing squeezed(double speed);
+
 /// The law and step that `jammed` was made with, in a cell that does not move.
 Model jammed_model();
 
