@@ -41,30 +41,29 @@ inline Far times(const Triangle& h, const Far& s) {
           Long(h.zz) * s.z};
 }
 
-/// All pairs, image by image, whose centres are closer than R_i + R_j + margin.
+/// All pairs, image by image, whose centres are closer than R_i + R_j + margin. The cell is triangular:
+/// the third component of a branch bounds its third image, then the second the second, then the first.
 inline std::map<TouchName, BruteTouch> brute_pairs(const Packing& p, double margin) {
   const Triangle& h = p.cell.edges;
-  double largest = 0;
-  for (double r : p.radius) largest = std::max(largest, r);
-  // Rows of the inverse bound the fractions of any branch that is short enough.
-  const double reach = 2 * largest + std::max(margin, 0.0);
-  const Vec3<double> height = heights(h);
-  const std::array<int, 3> images{static_cast<int>(reach / height.x) + 2,
-                                  static_cast<int>(reach / height.y) + 2,
-                                  static_cast<int>(reach / height.z) + 2};
   std::map<TouchName, BruteTouch> found;
+  const auto least = [](Long bound) { return static_cast<int>(std::floor(bound)) - 1; };
+  const auto most = [](Long bound) { return static_cast<int>(std::ceil(bound)) + 1; };
   for (std::uint32_t i = 0; i < p.size(); ++i)
     for (std::uint32_t j = i; j < p.size(); ++j) {
-      const Far nearest = exact_difference(p.fraction[i], p.fraction[j]);
-      for (int x = -images[0]; x <= images[0]; ++x)
-        for (int y = -images[1]; y <= images[1]; ++y)
-          for (int z = -images[2]; z <= images[2]; ++z) {
+      const Far d = exact_difference(p.fraction[i], p.fraction[j]);
+      const Long reach = Long(p.radius[i]) + Long(p.radius[j]) + Long(margin);
+      for (int z = least(-reach / h.zz - d.z); z <= most(reach / h.zz - d.z); ++z) {
+        const Long lean_y = h.yz * (d.z + z);
+        for (int y = least((-reach - lean_y) / h.yy - d.y); y <= most((reach - lean_y) / h.yy - d.y); ++y) {
+          const Long lean_x = h.xz * (d.z + z) + h.xy * (d.y + y);
+          for (int x = least((-reach - lean_x) / h.xx - d.x); x <= most((reach - lean_x) / h.xx - d.x); ++x) {
             if (i == j && std::tuple(x, y, z) <= std::tuple(0, 0, 0)) continue;
-            const Far branch = times(h, {nearest.x + x, nearest.y + y, nearest.z + z});
+            const Far branch = times(h, {d.x + x, d.y + y, d.z + z});
             const Long distance = norm(branch);
-            if (distance < Long(p.radius[i]) + Long(p.radius[j]) + Long(margin))
-              found[{i, j, {x, y, z}}] = {branch, distance};
+            if (distance < reach) found[{i, j, {x, y, z}}] = {branch, distance};
           }
+        }
+      }
     }
   return found;
 }

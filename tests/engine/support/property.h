@@ -23,7 +23,8 @@ template <class Property>
   params.maxSuccess = cases;
   rc::detail::TestListenerAdapter silent;
   const auto result =
-      rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, params, silent);
+      rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, params, silent,
+                                std::unordered_map<std::string, rc::detail::Reproduce>{});
   if (result.template is<rc::detail::SuccessResult>()) return ::testing::AssertionSuccess();
   std::ostringstream text;
   rc::detail::printResultMessage(result, text);
