@@ -63,6 +63,8 @@ struct HookeSynchronized {
     const R half = R(0.5);
     const Vec3<R> step = t.time_step * t.drift;
     const Vec3<R> branch_start = t.branch - step;
+    // Centres that passed each other within the step: nothing of the old contact plane is left.
+    if (dot(branch_start, t.branch) <= R(0)) return {};
     const Vec3<R> branch_middle = t.branch - half * step;
     const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);
