@@ -9,7 +9,18 @@
 
 // The commands of the program, one line each, in the order of the help. `command(verb)` stands for the
 // function Command verb_command() of cases/commands/.
-#define FURNAS_COMMANDS(command) command(new) command(schema) command(info)
+// clang-format off
+#define FURNAS_COMMANDS(command) \
+  command(new)                   \
+  command(check)                 \
+  command(run)                   \
+  command(resume)                \
+  command(render)                \
+  command(export)                \
+  command(import)                \
+  command(info)                  \
+  command(schema)
+// clang-format on
 
 namespace furnas {
 #define FURNAS_DECLARE(verb) Command verb##_command();

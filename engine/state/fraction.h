@@ -44,6 +44,16 @@ inline Vec3<double> in_unit_cell(const Fraction& s) {
           static_cast<double>(s.z) * (1 / two_to_64)};
 }
 
+/// Cells crossed after a way of less than half a cell from `before` to `now`.
+inline Image crossed(const Image& image, const Fraction& before, const Fraction& now) {
+  const auto component = [](std::int32_t cells, std::uint64_t a, std::uint64_t b) {
+    const bool forward = static_cast<std::int64_t>(b - a) >= 0;
+    return cells + (forward && b < a ? 1 : 0) - (!forward && b > a ? 1 : 0);
+  };
+  return {component(image[0], before.x, now.x), component(image[1], before.y, now.y),
+          component(image[2], before.z, now.z)};
+}
+
 /// s_i - s_j to the nearest image, each component in [-1/2, 1/2).
 inline Vec3<double> nearest_difference(const Fraction& i, const Fraction& j) {
   return {from_fixed(i.x - j.x), from_fixed(i.y - j.y), from_fixed(i.z - j.z)};

@@ -1,0 +1,36 @@
+#include <memory>
+#include <ostream>
+
+#include "cases/commands/command.h"
+#include "cases/packing_source.h"
+#include "io/formats.h"
+
+namespace furnas {
+
+Command export_command() {
+  struct Options {
+    std::string source;
+    std::string format;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "export";
+  command.does = "Write a packing in another format";
+  command.example = "furnas export runs/first_packing lammps-data";
+  command.setup = [options](CLI::App& app) {
+    app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();
+    app.add_option("FORMAT", options->format, names_of_written_formats())->required();
+    app.add_option("--out", options->out, "file; default: packing with the format's extension");
+  };
+  command.run = [options](Console console) {
+    const std::string out =
+        options->out.empty() ? "packing" + std::string(extension_of(options->format)) : options->out;
+    write_packing(packing_from(options->source), options->format, out);
+    console.out << out << '\n';
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

@@ -1,0 +1,50 @@
+#include <memory>
+
+#include "cases/commands/command.h"
+#include "cases/recording.h"
+#include "cases/run_case.h"
+#include "cases/run_folder.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+
+namespace furnas {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string walltime;
+  std::optional<int> threads;
+  std::optional<std::int64_t> steps;
+};
+
+}  // namespace
+
+Command resume_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "resume";
+  command.does = "Go on with a stopped run";
+  command.example = "furnas resume runs/first_packing --threads 2";
+  command.setup = [options](CLI::App& app) {
+    app.add_option("DIR", options->folder, "folder of the run")->required();
+    app.add_option("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
+    app.add_option("--threads", options->threads, "compute.threads");
+    app.add_option("--steps", options->steps, "stop.steps, to give a spent budget more");
+  };
+  command.run = [options](Console console) {
+    Checkpoint checkpoint = Checkpoints::read_newest(options->folder);
+    std::vector<std::string> set;
+    if (options->threads) set.push_back("compute.threads=" + std::to_string(*options->threads));
+    if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
+    RunOrder order;
+    order.resolved_case = parse_case(checkpoint.case_text, options->folder + " (checkpoint)", set);
+    validate(order.resolved_case);
+    if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
+    order.folder = options->folder;
+    order.continued = std::move(checkpoint);
+    return run_case(order, console);
+  };
+  return command;
+}
+
+}  // namespace furnas

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <ostream>
+
+#include "cases/commands/command.h"
+#include "cases/preflight.h"
+#include "cases/run_case.h"
+#include "cases/run_folder.h"
+#include "engine/base/require.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+
+namespace furnas {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> set;
+  std::string out;
+  std::string walltime;
+  std::optional<int> threads;
+  std::optional<std::int64_t> seed;
+};
+
+}  // namespace
+
+Command run_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "run";
+  command.does = "Run a case to its verdict";
+  command.example = "furnas run cases/first_packing.toml --set contact.friction=0.1 --threads 2";
+  command.setup = [options](CLI::App& app) {
+    app.add_option("CASE", options->file, "case file")->required();
+    app.add_option("--set", options->set, "change a key of the case, e.g. contact.friction=0.1");
+    app.add_option("--out", options->out, "folder for the files; default: runs/<case>, numbered");
+    app.add_option("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
+    app.add_option("--threads", options->threads, "compute.threads");
+    app.add_option("--seed", options->seed, "mixture.seed");
+  };
+  command.run = [options](Console console) {
+    std::vector<std::string> set = options->set;
+    if (options->threads) set.push_back(fmt::format("compute.threads={}", *options->threads));
+    if (options->seed) set.push_back(fmt::format("mixture.seed={}", *options->seed));
+    RunOrder order;
+    order.resolved_case = read_case(options->file, set);
+    validate(order.resolved_case);
+    if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
+    const Preflight preflight = check_case(order.resolved_case);
+    if (!preflight.refusal.empty()) {
+      console.err << "furnas: refused: " << preflight.refusal << '\n';
+      return ExitCode::refused;
+    }
+    order.folder = create_run_folder(options->out, options->file);
+    return run_case(order, console);
+  };
+  return command;
+}
+
+}  // namespace furnas

@@ -1,0 +1,122 @@
+#include "cases/preflight.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cases/progress.h"
+#include "cases/scenario.h"
+#include "engine/simulation.h"
+#include "io/case_check.h"
+
+namespace furnas {
+namespace {
+
+double mass_of(double diameter) { return std::numbers::pi / 6 * diameter * diameter * diameter; }
+
+double reduced_mass(double a, double b) { return mass_of(a) * mass_of(b) / (mass_of(a) + mass_of(b)); }
+
+/// Largest and smallest diameter and the number of particles.
+struct Census {
+  double large{}, small{};  ///< diameters [d_s]
+  double larges{}, smalls{};
+  double volume{};  ///< of the spheres [d_s^3]
+  double particles() const { return larges + smalls; }
+};
+
+Census census_of(const Case& c) {
+  Census n;
+  if (c.start.file.empty()) {
+    n.large = c.mixture.size_ratio;
+    n.larges = static_cast<double>(c.mixture.large);
+    n.smalls = small_spheres(c.mixture);
+    n.small = n.smalls > 0 ? 1.0 : n.large;
+    n.volume = n.larges * mass_of(n.large) + n.smalls * mass_of(1);
+    return n;
+  }
+  const Packing packing = start_of(c);
+  n.large = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
+  n.small = 2 * *std::min_element(packing.radius.begin(), packing.radius.end());
+  for (Species s : packing.species) ++(s == Species::large ? n.larges : n.smalls);
+  n.volume = packing.sphere_volume();
+  return n;
+}
+
+double memory_of_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+std::string pair_line(const char* name, double a, double b, const Case& c) {
+  const double e = restitution(a, b, c.contact.normal_damping);
+  return fmt::format("  {:<12} restitution {}\n", name, e > 0 ? fmt::format("{:.4f}", e) : "0 (overdamped)");
+}
+
+std::string pairs_report(const Census& n, const Case& c) {
+  std::string text = "pairs\n";
+  if (n.smalls > 0) text += pair_line("small-small", n.small, n.small, c);
+  if (n.smalls > 0 && n.larges > 0 && n.large > n.small)
+    text += pair_line("small-large", n.small, n.large, c);
+  if (n.larges > 0) text += pair_line("large-large", n.large, n.large, c);
+  return text;
+}
+
+}  // namespace
+
+double restitution(double a, double b, double damping) {
+  const double square = 1 / reduced_mass(a, b) - damping * damping / 4;
+  if (square <= 0) return 0;
+  return std::exp(-0.5 * damping * std::numbers::pi / std::sqrt(square));
+}
+
+double expected_memory(double particles, bool friction) {
+  // Measured peaks of compacted bidisperse runs, see docs/performance.md.
+  constexpr double with_friction = 1150;
+  constexpr double without_friction = 900;
+  constexpr double program = 60e6;
+  return program + particles * (friction ? with_friction : without_friction);
+}
+
+Preflight check_case(const Case& c) {
+  const Census n = census_of(c);
+  Preflight out;
+  out.report +=
+      fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
+                  n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
+  const double dt = time_step(c).value_or(0);
+  // The tangential mode of the lightest pair is the stiffest: w^2 = 3.5 k/m_eff, k_t = k_n.
+  const double stiffest =
+      std::sqrt(3.5 * std::max(1.0, c.contact.tangential_stiffness) / reduced_mass(n.small, n.small));
+  out.report += fmt::format("time step {:.6g}, {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n",
+                            dt, dt * stiffest);
+  out.report += pairs_report(n, c);
+
+  const double dense = 0.64;
+  const double edge = std::cbrt(n.volume / dense);
+  const double diameters = edge / n.large;
+  out.report += fmt::format(
+      "cell      about {:.1f} large diameters wide when dense{}\n", diameters,
+      diameters < 2.1 ? ", so spheres meet several images of each other: slower, still right" : "");
+  const double memory = expected_memory(n.particles(), c.contact.friction > 0);
+  out.report += fmt::format("memory    about {:.2f} GB\n", memory / 1e9);
+  const int threads =
+      c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));
+  const double rate = 6e6 * threads;  // particle-steps a second, docs/performance.md
+  const auto seconds = [&](double steps) { return steps * n.particles() / rate; };
+  out.report += fmt::format(
+      "time      about {} for 2e5 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
+      duration_text(seconds(2e5)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
+      threads, threads == 1 ? "" : "s");
+
+  const double available = memory_of_machine();
+  if (memory > available)
+    out.refusal = fmt::format(
+        "the run needs about {:.1f} GB and this machine has {:.1f} GB; take fewer particles "
+        "(mixture.large = {})",
+        memory / 1e9, available / 1e9, c.mixture.large);
+  return out;
+}
+
+}  // namespace furnas

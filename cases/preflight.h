@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "io/case.h"
+
+namespace furnas {
+
+/// What can be said of a case before it runs.
+struct Preflight {
+  std::string report;   ///< lines for a person
+  std::string refusal;  ///< why it must not run; empty if it may
+};
+
+/// Works out sizes, time scales, memory and expected time of a case without building its packing.
+Preflight check_case(const Case& c);
+
+/// Memory of a run at its peak, in bytes, for so many particles.
+double expected_memory(double particles, bool friction);
+
+/// Restitution of a head-on pair of spheres with these diameters: exp(-gamma t/2), t the time of contact
+/// [d_s]; 0 if the pair is overdamped.
+double restitution(double diameter_a, double diameter_b, double damping);
+
+}  // namespace furnas

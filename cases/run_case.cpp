@@ -1,0 +1,159 @@
+#include "cases/run_case.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <ostream>
+
+#include "cases/progress.h"
+#include "cases/recording.h"
+#include "cases/scenario.h"
+#include "cases/schedule.h"
+#include "cases/signals.h"
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "engine/events/flip.h"
+#include "engine/events/limits.h"
+#include "engine/events/still_rattlers.h"
+#include "engine/state/fingerprint.h"
+#include "io/atomic_file.h"
+#include "io/case_file.h"
+#include "io/outputs.h"
+#include "viz/picture.h"
+
+namespace furnas {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+template <class E>
+std::int64_t count_of(const Events& events) {
+  for (const auto& event : events)
+    if (const auto* found = dynamic_cast<const E*>(event.get())) return found->count();
+  return 0;
+}
+
+std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest, const Case& c) {
+  switch (verdict) {
+    case Verdict::jammed:
+      return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
+    case Verdict::diverged:
+      return Diverged::reason(m);
+    case Verdict::interrupted:
+      return "stopped by a signal; resume goes on";
+    case Verdict::budget:
+      break;
+  }
+  const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
+  return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
+}
+
+void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
+  if (c.output.picture == "none") return;
+  PictureOptions options;
+  options.width = options.height = c.output.picture_size;
+  options.transparent = c.output.background == "transparent";
+  try {
+    render_png(packing, folder / "packing.png", options);
+  } catch (const std::exception& error) {
+    // The numbers are safe by now; a machine without OpenGL costs the picture alone.
+    console.err << "furnas: no picture: " << error.what() << '\n';
+  }
+}
+
+}  // namespace
+
+ExitCode exit_code_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::jammed:
+      return ExitCode::done;
+    case Verdict::budget:
+      return ExitCode::budget_spent;
+    case Verdict::diverged:
+      return ExitCode::numerical_failure;
+    case Verdict::interrupted:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::internal_error;
+}
+
+std::string summary(const Result& r, const Case& c, const std::filesystem::path& folder) {
+  const Measures& m = r.measures;
+  const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
+  std::string text = fmt::format("verdict   {} ({})\n", to_string(r.verdict), r.reason);
+  if (r.phi_J())
+    text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,
+                        c.contact.friction);
+  else
+    text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
+  text +=
+      fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
+                  m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
+  text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
+                      backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
+  text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
+                      duration_text(r.wall_seconds),
+                      static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
+                          std::max(r.wall_seconds, 1e-9) / 1e6,
+                      r.threads, r.threads == 1 ? "" : "s");
+  text += fmt::format("state     {:016x}\n", r.state_hash);
+  text += fmt::format("files     {}\n", folder.string());
+  return text;
+}
+
+ExitCode run_case(const RunOrder& order, Console console) {
+  const Case& c = order.resolved_case;
+  const std::string case_text = resolved_toml(c);
+  write_file(order.folder / "case.resolved.toml", case_text);
+
+  const bool fresh = !order.continued;
+  const Packing start = fresh ? start_of(c) : order.continued->packing;
+  const int threads = c.compute.threads ? *c.compute.threads : threads_for(start.size());
+  const std::unique_ptr<Simulation> simulation = make_simulation(model_of(c, start), start, threads);
+  Observation now(*simulation, backbone_threshold_of(c));
+  RestWatch watch(rest_criteria_of(c));
+  Checkpoints checkpoints(order.folder);
+  std::vector<RestingState> reached;
+  if (!fresh) reached = resting_states_of(*order.continued);
+  if (!reached.empty()) simulation->set_pressure(c.compaction.pressure.at(reached.size()));
+  Requests requests;
+  const auto begin = Clock::now();
+
+  RunContext context{c,          order.folder, case_text,   start.step,
+                     start.time, {},           console.err, isatty(STDERR_FILENO) == 1,
+                     requests,   watch,        checkpoints, reached};
+  if (order.walltime) context.deadline = begin + *order.walltime;
+  const Events events = schedule(context);
+  const SignalGuard guard(requests);
+  const Verdict verdict = compact(now, events, &requests.attention);
+  for (const auto& event : events)
+    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
+
+  Result result;
+  result.verdict = verdict;
+  result.measures = now.measures();
+  result.rest = watch.report();
+  result.reason = reason_of(verdict, result.measures, result.rest, c);
+  result.reached = reached;
+  result.rattlers_stilled = count_of<StillRattlers>(events);
+  result.flips = count_of<Flip>(events);
+  result.state_hash = state_hash(now.packing());
+  for (Species s : start.species) ++(s == Species::large ? result.large : result.small);
+  result.time_step = simulation->model().time_step;
+  result.pressure = simulation->model().barostat.pressure;
+  result.inertia = simulation->model().barostat.inertia;
+  result.threads = threads;
+  result.steps_here = simulation->step() - start.step;
+  result.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached);
+  if (verdict == Verdict::jammed)
+    result.reached.push_back({result.pressure, result.measures.phi, now.step()});
+  write_outputs({c, now.packing(), result}, order.folder);
+  const std::string text = summary(result, c, order.folder);
+  write_file(order.folder / "log.txt", text);
+  draw(now.packing(), c, order.folder, console);
+  console.out << text << std::flush;
+  return exit_code_of(verdict);
+}
+
+}  // namespace furnas

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "cases/commands/command.h"
+#include "io/case.h"
+#include "io/checkpoint.h"
+#include "io/result.h"
+
+namespace furnas {
+
+/// A run to do: its case, where its files go and where it begins.
+struct RunOrder {
+  Case resolved_case;
+  std::filesystem::path folder;         ///< exists already
+  std::optional<Checkpoint> continued;  ///< where to go on; absent: at the start of the case
+  std::optional<std::chrono::seconds> walltime;
+};
+
+/// Runs a case to its verdict, writes the folder of the run and prints what came out.
+ExitCode run_case(const RunOrder& order, Console console);
+
+/// The exit code that tells a verdict.
+ExitCode exit_code_of(Verdict verdict);
+
+/// The result as a few lines for a person.
+std::string summary(const Result& result, const Case& c, const std::filesystem::path& folder);
+
+}  // namespace furnas

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+
+#include "cases/recording.h"
+#include "cases/signals.h"
+#include "engine/events/at_rest.h"
+
+namespace furnas {
+
+/// What the events of a run share with whoever started it.
+struct RunContext {
+  const Case& resolved_case;
+  std::filesystem::path folder;
+  std::string case_text;                    ///< the resolved case
+  std::int64_t first_step{};                ///< where this process begins
+  double first_time{};                      ///< [time]
+  std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
+  std::ostream& out;                        ///< for progress
+  bool live{};                              ///< `out` is a terminal
+  Requests& requests;
+  RestWatch& watch;
+  Checkpoints& checkpoints;
+  std::vector<RestingState>& reached;
+};
+
+/// All that can happen in a run, in the order in which events of one step happen.
+Events schedule(RunContext& run);
+
+}  // namespace furnas

@@ -1,0 +1,89 @@
+#include "engine/analysis/rattlers.h"
+
+#include <array>
+#include <cstddef>
+
+namespace furnas {
+namespace {
+
+/// 0 large-large, 1 large-small, 2 small-small.
+std::size_t kind(const Packing& p, const Contact& c) {
+  return static_cast<std::size_t>(p.species[c.i]) + static_cast<std::size_t>(p.species[c.j]);
+}
+
+double normal_force(const Contact& c) { return dot(c.force, c.branch) / norm(c.branch); }
+
+}  // namespace
+
+std::vector<bool> live_contacts(const Packing& p, double share) {
+  std::array<double, 3> sum{};
+  std::array<std::size_t, 3> count{};
+  for (const Contact& c : p.contacts) {
+    sum[kind(p, c)] += normal_force(c);
+    ++count[kind(p, c)];
+  }
+  std::vector<bool> live;
+  live.reserve(p.contacts.size());
+  for (const Contact& c : p.contacts) {
+    const std::size_t k = kind(p, c);
+    const double force = normal_force(c);
+    live.push_back(force > 0 && force * static_cast<double>(count[k]) > share * sum[k]);
+  }
+  return live;
+}
+
+std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int least_contacts) {
+  std::vector<std::size_t> first(p.size() + 1, 0);
+  for (std::size_t n = 0; n < p.contacts.size(); ++n)
+    if (live[n]) ++first[p.contacts[n].i + 1], ++first[p.contacts[n].j + 1];
+  for (std::size_t k = 0; k < p.size(); ++k) first[k + 1] += first[k];
+  std::vector<std::uint32_t> partner(first.back());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (std::size_t n = 0; n < p.contacts.size(); ++n) {
+    if (!live[n]) continue;
+    const Contact& c = p.contacts[n];
+    partner[next[c.i]++] = c.j;
+    partner[next[c.j]++] = c.i;
+  }
+
+  std::vector<int> degree(p.size());
+  std::vector<bool> out(p.size(), false);
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t k = 0; k < p.size(); ++k) {
+    degree[k] = static_cast<int>(first[k + 1] - first[k]);
+    if (degree[k] < least_contacts) {
+      out[k] = true;
+      queue.push_back(k);
+    }
+  }
+  while (!queue.empty()) {
+    const std::uint32_t gone = queue.back();
+    queue.pop_back();
+    for (std::size_t n = first[gone]; n < first[gone + 1]; ++n) {
+      const std::uint32_t k = partner[n];
+      if (out[k] || --degree[k] >= least_contacts) continue;
+      out[k] = true;
+      queue.push_back(k);
+    }
+  }
+  return out;
+}
+
+RattlerCount count_rattlers(const Packing& p, const std::vector<bool>& live, const std::vector<bool>& rattler,
+                            int least_contacts) {
+  RattlerCount count;
+  count.least_contacts = least_contacts;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (!rattler[k])
+      ++count.backbone;
+    else
+      ++(p.species[k] == Species::large ? count.large : count.small);
+  }
+  for (std::size_t n = 0; n < p.contacts.size(); ++n)
+    if (live[n] && !rattler[p.contacts[n].i] && !rattler[p.contacts[n].j]) ++count.contacts;
+  if (count.backbone > 0)
+    count.coordination = 2 * static_cast<double>(count.contacts) / static_cast<double>(count.backbone);
+  return count;
+}
+
+}  // namespace furnas

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace furnas {
+
+/// The threads that the work of one simulation may use.
+class Workers {
+ public:
+  explicit Workers(int threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  int threads() const;
+
+  /// Runs `work` with these threads; loops inside it use no others.
+  void run(const std::function<void()>& work);
+
+ private:
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+};
+
+/// Threads of this machine.
+int available_threads();
+
+namespace detail {
+void run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body);
+}
+
+/// Calls body(begin, end, chunk) for each piece of [0, count) of `size` elements. The pieces depend on
+/// `count` and `size` alone, never on the number of threads.
+template <class Body>
+void for_chunks(std::size_t count, std::size_t size, Body&& body) {
+  struct Job {
+    std::size_t count, size;
+    Body& body;
+  } job{count, size, body};
+  detail::run_chunks((count + size - 1) / size,
+                     [](void* data, std::size_t chunk) {
+                       Job& j = *static_cast<Job*>(data);
+                       const std::size_t begin = chunk * j.size;
+                       j.body(begin, std::min(begin + j.size, j.count), chunk);
+                     },
+                     &job);
+}
+
+/// The sum of body(begin, end) over the pieces of [0, count), added in the order of the pieces: the
+/// same bits for any number of threads.
+template <class T, class Body>
+T ordered_sum(std::size_t count, std::size_t size, Body&& body) {
+  std::vector<T> parts((count + size - 1) / size);
+  for_chunks(count, size,
+             [&](std::size_t begin, std::size_t end, std::size_t chunk) { parts[chunk] = body(begin, end); });
+  T sum{};
+  for (const T& part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace furnas

@@ -1,0 +1,71 @@
+#include "engine/compaction.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/analysis/measure.h"
+#include "engine/base/require.h"
+
+namespace furnas {
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::jammed:
+      return "jammed";
+    case Verdict::budget:
+      return "budget";
+    case Verdict::diverged:
+      return "diverged";
+    case Verdict::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+void Observation::refresh() {
+  if (taken_at_ == simulation_.step()) return;
+  taken_at_ = simulation_.step();
+  packing_.reset();
+  measures_.reset();
+}
+
+const Packing& Observation::packing() {
+  refresh();
+  if (!packing_) packing_ = simulation_.packing();
+  return *packing_;
+}
+
+const Measures& Observation::measures() {
+  refresh();
+  if (!measures_) {
+    measures_ = measure(packing(), backbone_threshold_);
+    measures_->rebuilds = simulation_.builds();
+  }
+  return *measures_;
+}
+
+void Observation::replace(const Packing& packing) {
+  simulation_.load(packing);
+  taken_at_ = -1;
+}
+
+std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (step / period + 1) * period; }
+
+Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention) {
+  require(!events.empty(), "a run needs an event that ends it");
+  std::vector<std::int64_t> next;
+  for (const auto& event : events) next.push_back(event->next(now.step()));
+  while (true) {
+    const std::int64_t target = *std::min_element(next.begin(), next.end());
+    now.simulation().advance(target - now.step(), attention);
+    const bool called = attention && attention->exchange(false);
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      if (next[k] > now.step() && !called) continue;
+      if (events[k]->due(now))
+        if (const std::optional<Verdict> verdict = events[k]->fire(now)) return *verdict;
+      next[k] = events[k]->next(now.step());
+    }
+  }
+}
+
+}  // namespace furnas

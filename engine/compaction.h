@@ -1,0 +1,70 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "engine/state/measures.h"
+
+namespace furnas {
+
+/// How a run ended. Only `jammed` gives a phi_J.
+enum class Verdict { jammed, budget, diverged, interrupted };
+
+/// The verdict as it stands in files: "jammed", "budget", "diverged", "interrupted".
+const char* to_string(Verdict verdict);
+
+/// What events look at between steps: the packing and its measures, taken once a step and only when asked.
+class Observation {
+ public:
+  Observation(Simulation& simulation, int backbone_threshold)
+      : simulation_(simulation), backbone_threshold_(backbone_threshold) {}
+
+  Simulation& simulation() { return simulation_; }
+  std::int64_t step() const { return simulation_.step(); }
+  const Packing& packing();
+  const Measures& measures();
+
+  /// Puts a changed packing in the place of the running one.
+  void replace(const Packing& packing);
+
+ private:
+  void refresh();
+
+  Simulation& simulation_;
+  int backbone_threshold_;
+  std::int64_t taken_at_ = -1;
+  std::optional<Packing> packing_;
+  std::optional<Measures> measures_;
+};
+
+/// Something that can happen between two steps of a run. Events act serially and may touch anything.
+class Event {
+ public:
+  virtual ~Event() = default;
+  virtual const char* name() const = 0;
+
+  /// The first step after `step` at which it may be due.
+  virtual std::int64_t next(std::int64_t step) const = 0;
+
+  /// Whether it happens now; asked at the steps that `next` named.
+  virtual bool due(Observation&) { return true; }
+
+  /// Lets it happen; an answer ends the run.
+  virtual std::optional<Verdict> fire(Observation& now) = 0;
+};
+
+/// The first multiple of `period` after `step`.
+std::int64_t next_multiple(std::int64_t step, std::int64_t period);
+
+/// The events of a run, in the order in which those of one step happen.
+using Events = std::vector<std::unique_ptr<Event>>;
+
+/// Runs from event to event until one of them ends it. Setting `attention` makes the run look at all its
+/// events after the current step; the run clears it.
+Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention = nullptr);
+
+}  // namespace furnas

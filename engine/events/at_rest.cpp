@@ -1,0 +1,96 @@
+#include "engine/events/at_rest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace furnas {
+namespace {
+
+/// |F - I| of the deformation F from one cell to another (Frobenius).
+double strain_between(const Triangle& from, const Triangle& to) {
+  const Triangle f = product(to, inverse(from));
+  const double xx = f.xx - 1;
+  const double yy = f.yy - 1;
+  const double zz = f.zz - 1;
+  return std::sqrt(xx * xx + yy * yy + zz * zz + f.yz * f.yz + f.xz * f.xz + f.xy * f.xy);
+}
+
+}  // namespace
+
+double stress_error(const Measures& m, const Barostat& bath) {
+  const double p = bath.pressure;
+  if (bath.freedom == CellFreedom::cubic) return std::abs(m.pressure - p) / p;
+  double error = 0;
+  for (std::size_t k = 0; k < 3; ++k) error = std::max(error, std::abs(m.stress[k] - p) / p);
+  if (bath.freedom == CellFreedom::triclinic)
+    for (std::size_t k = 3; k < 6; ++k) error = std::max(error, std::abs(m.stress[k]) / p);
+  return error;
+}
+
+const RestReport& RestWatch::look(Observation& now) {
+  if (!window_.empty() && window_.back().step == now.step()) return report_;
+  const Measures& m = now.measures();
+  report_ = {};
+  report_.backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)].backbone;
+  report_.stress_error = stress_error(m, now.simulation().model().barostat);
+  report_.force_imbalance = m.force_imbalance;
+  report_.kinetic_energy = criteria_.kinetic_energy_alone ? m.kinetic_energy : m.backbone_kinetic_energy;
+
+  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && m.contacts > 0;
+  const bool balanced = report_.backbone > 0 && report_.stress_error < criteria_.stress_error;
+  const auto holds = [&](double imbalance) {
+    return slow && (criteria_.kinetic_energy_alone || (balanced && report_.force_imbalance < imbalance));
+  };
+  window_.push_back({now.step(), m.cell.edges, holds(criteria_.force_imbalance),
+                     holds(std::max(criteria_.loose_imbalance, criteria_.force_imbalance))});
+  if (static_cast<std::int64_t>(window_.size()) > patience + 1) window_.pop_front();
+
+  report_.strain_drift = std::numeric_limits<double>::infinity();
+  if (static_cast<std::int64_t>(window_.size()) > looks) {
+    const Look& first = window_[window_.size() - 1 - looks];
+    report_.strain_drift =
+        strain_between(first.edges, m.cell.edges) * 1e5 / static_cast<double>(now.step() - first.step);
+  }
+  const bool steady = criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift;
+  const bool tightly = steady && all_hold(&Look::holds, looks + 1);
+  report_.loosely = !tightly && steady && all_hold(&Look::holds_loosely, patience + 1);
+  report_.resting = tightly || report_.loosely;
+  report_.waiting_for = furthest();
+  return report_;
+}
+
+bool RestWatch::all_hold(bool Look::*holds, std::int64_t count) const {
+  return static_cast<std::int64_t>(window_.size()) >= count &&
+         std::all_of(window_.end() - count, window_.end(), [&](const Look& l) { return l.*holds; });
+}
+
+std::string RestWatch::furthest() const {
+  if (report_.resting) return {};
+  struct Candidate {
+    const char* name;
+    double share;
+  };
+  std::array<Candidate, 4> candidates{{{"kinetic energy", report_.kinetic_energy / criteria_.kinetic_energy},
+                                       {"stress", report_.stress_error / criteria_.stress_error},
+                                       {"force balance", report_.force_imbalance / criteria_.force_imbalance},
+                                       {"strain drift", report_.strain_drift / criteria_.strain_drift}}};
+  const std::size_t count = criteria_.kinetic_energy_alone ? 1 : candidates.size();
+  const auto* worst =
+      std::max_element(candidates.begin(), candidates.begin() + count,
+                       [](const Candidate& a, const Candidate& b) { return a.share < b.share; });
+  return worst->share >= 1 && std::isfinite(worst->share) ? worst->name : "the window";
+}
+
+bool NextPressure::due(Observation& now) { return !pressures_.empty() && watch_.look(now).resting; }
+
+std::optional<Verdict> NextPressure::fire(Observation& now) {
+  reached_.push_back({now.simulation().model().barostat.pressure, now.measures().phi, now.step()});
+  now.simulation().set_pressure(pressures_.front());
+  pressures_.erase(pressures_.begin());
+  watch_.restart();
+  return {};
+}
+
+}  // namespace furnas

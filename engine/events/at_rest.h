@@ -1,0 +1,105 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "engine/compaction.h"
+
+namespace furnas {
+
+/// When a packing counts as jammed: all of it, at every look of a window.
+struct RestCriteria {
+  bool kinetic_energy_alone = false;  ///< the study's own rule: all particles, and nothing else
+  double stress_error = 1e-3;         ///< largest |P_aa - p_a|/p_a and |P_ab|/p_a
+  double force_imbalance = 1e-4;      ///< mean |net force| on the backbone/mean contact force
+  double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
+  double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
+  double strain_drift = 1e-6;         ///< of the cell, per 1e5 steps
+  std::int64_t window = 10'000;       ///< [steps]
+};
+
+/// The criteria as they stand.
+struct RestReport {
+  std::int64_t backbone{};  ///< particles in it; nothing rests without one
+  double stress_error{};
+  double force_imbalance{};
+  double kinetic_energy{};  ///< [k_n d_s^2]
+  double strain_drift{};    ///< per 1e5 steps; infinite until the window is full
+  bool resting{};           ///< all held at every look of the window
+  bool loosely{};           ///< resting, but with the loose limit of the force balance
+  std::string waiting_for;  ///< the criterion that is furthest from its limit; empty when resting
+};
+
+/// Largest |P_aa - p_a|/p_a and |P_ab|/p_a among the stresses that the cell can answer to.
+double stress_error(const Measures& measures, const Barostat& barostat);
+
+/// Keeps the looks of the last window and judges them. Shared by the events that wait for rest.
+class RestWatch {
+ public:
+  explicit RestWatch(const RestCriteria& criteria) : criteria_(criteria) {}
+
+  std::int64_t period() const { return std::max<std::int64_t>(criteria_.window / looks, 1); }
+
+  /// Takes a look, once a step.
+  const RestReport& look(Observation& now);
+  const RestReport& report() const { return report_; }
+  const RestCriteria& criteria() const { return criteria_; }
+
+  /// Forgets the window, because the pressure has changed.
+  void restart() { window_.clear(); }
+
+ private:
+  static constexpr std::int64_t looks = 10;             // a window
+  static constexpr std::int64_t patience = 10 * looks;  // with the loose limit
+  struct Look {
+    std::int64_t step;
+    Triangle edges;
+    bool holds;
+    bool holds_loosely;
+  };
+  bool all_hold(bool Look::*holds, std::int64_t count) const;
+  std::string furthest() const;
+
+  RestCriteria criteria_;
+  std::deque<Look> window_;
+  RestReport report_;
+};
+
+/// A pressure at which the packing came to rest.
+struct RestingState {
+  double pressure{};  ///< [k_n/d_s]
+  double phi{};
+  std::int64_t step{};
+};
+
+/// When the packing rests and pressures are left, records its state and sets the next one.
+class NextPressure final : public Event {
+ public:
+  NextPressure(RestWatch& watch, std::vector<double> pressures, std::vector<RestingState>& reached)
+      : watch_(watch), pressures_(std::move(pressures)), reached_(reached) {}
+  const char* name() const override { return "next pressure"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
+  bool due(Observation& now) override;
+  std::optional<Verdict> fire(Observation& now) override;
+
+ private:
+  RestWatch& watch_;
+  std::vector<double> pressures_;
+  std::vector<RestingState>& reached_;
+};
+
+/// Ends the run as jammed when the packing rests.
+class AtRest final : public Event {
+ public:
+  explicit AtRest(RestWatch& watch) : watch_(watch) {}
+  const char* name() const override { return "at rest"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
+  bool due(Observation& now) override { return watch_.look(now).resting; }
+  std::optional<Verdict> fire(Observation&) override { return Verdict::jammed; }
+
+ private:
+  RestWatch& watch_;
+};
+
+}  // namespace furnas

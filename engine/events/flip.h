@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/compaction.h"
+
+namespace furnas {
+
+/// Replaces tilted edges of the cell by the shortest equivalent ones, once a tilt exceeds half its edge
+/// with a margin. The lattice, and so every contact, force and history, stays the same: only the
+/// names of images change, exactly, in integers. Returns whether anything changed.
+bool flip_cell(Packing& packing);
+
+/// Looks at the tilt of the cell every hundred steps and flips it.
+class Flip final : public Event {
+ public:
+  const char* name() const override { return "flip"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
+  bool due(Observation& now) override;
+  std::optional<Verdict> fire(Observation& now) override;
+
+  /// How often it has happened.
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::int64_t count_ = 0;
+};
+
+}  // namespace furnas

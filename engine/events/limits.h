@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+
+#include "engine/compaction.h"
+
+namespace furnas {
+
+/// Ends the run when its steps are spent.
+class Budget final : public Event {
+ public:
+  explicit Budget(std::int64_t last_step) : last_step_(last_step) {}
+  const char* name() const override { return "budget"; }
+  std::int64_t next(std::int64_t step) const override { return std::max(step, last_step_); }
+  std::optional<Verdict> fire(Observation& now) override;
+
+ private:
+  std::int64_t last_step_;
+};
+
+/// Ends the run when numbers stop being numbers or spheres pass into each other: the law no longer means
+/// anything there.
+class Diverged final : public Event {
+ public:
+  static constexpr double deepest_overlap = 0.5;  ///< of the smaller radius
+
+  const char* name() const override { return "diverged"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
+  bool due(Observation& now) override;
+  std::optional<Verdict> fire(Observation&) override { return Verdict::diverged; }
+
+  /// What was seen, in a sentence.
+  static std::string reason(const Measures& measures);
+};
+
+/// Ends the run when `stop` is set, from a signal or a limit on the wall clock.
+class Interrupted final : public Event {
+ public:
+  explicit Interrupted(const std::atomic<bool>& stop) : stop_(stop) {}
+  const char* name() const override { return "interrupted"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
+  bool due(Observation&) override { return stop_; }
+  std::optional<Verdict> fire(Observation&) override { return Verdict::interrupted; }
+
+ private:
+  const std::atomic<bool>& stop_;
+};
+
+}  // namespace furnas

@@ -1,0 +1,14 @@
+#include "engine/events/renew_order.h"
+
+#include "engine/search/size_classes.h"
+
+namespace furnas {
+
+std::optional<Verdict> RenewOrder::fire(Observation& now) {
+  Packing packing = now.packing();
+  packing.order = memory_order(packing);
+  now.replace(packing);
+  return {};
+}
+
+}  // namespace furnas

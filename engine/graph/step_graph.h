@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace furnas {
+
+/// The phases of a timestep in order, and the oneTBB flow graph that follows from what they touch.
+///
+/// A phase is a free function: a `const T&` parameter is read, a `T&` parameter is written. A phase
+/// waits for an earlier one exactly when both touch the same object and one of them writes it. So the
+/// order of the lines is the meaning, and the graph is permission to overlap.
+class StepGraph {
+ public:
+  StepGraph();
+  ~StepGraph();
+  StepGraph(StepGraph&&) noexcept;
+  StepGraph& operator=(StepGraph&&) noexcept;
+
+  /// Gives an object the name that the drawing shows.
+  template <class T>
+  void name(const T& object, std::string text) {
+    names_.push_back({range_of(object), std::move(text)});
+  }
+
+  /// Adds a phase that calls function(arguments...) each step.
+  template <class... Parameters, class... Arguments>
+  void phase(std::string title, void (*function)(Parameters...), Arguments&... arguments) {
+    add(std::move(title), nullptr, {access<Parameters>(arguments)...},
+        [function, &arguments...] { function(arguments...); });
+  }
+
+  /// Adds a phase that runs only in steps in which `flag` is set when its turn comes.
+  template <class... Parameters, class... Arguments>
+  void phase_when(const bool& flag, std::string title, void (*function)(Parameters...),
+                  Arguments&... arguments) {
+    add(std::move(title), &flag, {access<Parameters>(arguments)..., Access{range_of(flag), false}},
+        [function, &arguments...] { function(arguments...); });
+  }
+
+  /// One step, phase after phase: the reference, and what small systems use.
+  void run_in_order();
+
+  /// One step as a flow graph in the task arena of the caller.
+  void run_as_graph();
+
+  /// The drawing of the step in the language of Graphviz.
+  void write_dot(std::ostream& out) const;
+
+  /// Titles of the phases in order.
+  std::vector<std::string> titles() const;
+
+  /// The phases that phase `index` waits for, without those that follow from others.
+  const std::vector<std::size_t>& waits_for(std::size_t index) const { return phases_[index].waits_for; }
+
+ private:
+  struct Range {
+    const char* begin;
+    std::size_t size;
+  };
+  struct Access {
+    Range range;
+    bool writes;
+  };
+  struct Phase {
+    std::string title;
+    const bool* flag;
+    std::vector<Access> accesses;
+    std::function<void()> run;
+    std::vector<std::size_t> waits_for;
+  };
+  struct Name {
+    Range range;
+    std::string text;
+  };
+  struct Flow;
+
+  template <class T>
+  static Range range_of(const T& object) {
+    return {reinterpret_cast<const char*>(&object), sizeof(T)};
+  }
+
+  template <class Parameter, class T>
+  static Access access(T& object) {
+    constexpr bool writes =
+        std::is_lvalue_reference_v<Parameter> && !std::is_const_v<std::remove_reference_t<Parameter>>;
+    return {range_of(object), writes};
+  }
+
+  static bool overlap(const Range& a, const Range& b);
+  static bool conflict(const Phase& earlier, const Phase& later);
+  void add(std::string title, const bool* flag, std::vector<Access> accesses, std::function<void()> run);
+  std::string name_of(const Range& range) const;
+
+  std::vector<Phase> phases_;
+  std::vector<Name> names_;
+  std::unique_ptr<Flow> flow_;
+};
+
+}  // namespace furnas

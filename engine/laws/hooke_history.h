@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/laws/hooke.h"
+#include "engine/laws/touch.h"
+
+namespace furnas {
+
+/// The law of `pair_style gran/hooke/history` of LAMMPS, step for step, which the study used.
+///
+/// It mixes instants on purpose: the velocities are those of the middle of the step, the normal that of
+/// its end; the tangential history is projected on the new contact plane without keeping its length;
+/// the lever arms are the full radii. See docs/decisions.md for what that does above a size ratio of 3.
+struct HookeHistory {
+  static constexpr const char* name = "hooke_history";
+  static constexpr bool spins = true;
+  static constexpr bool synchronized = false;
+
+  HookeConstants constants;
+
+  /// `history` is the tangential displacement xi of i against j [d_s].
+  template <class R>
+  Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
+    const R stiffness(constants.tangential_stiffness);
+    const Vec3<R> n = t.branch * (R(1) / t.distance);
+    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, dot(t.midway.velocity, n));
+
+    const Vec3<R> slip = slip_velocity(t.midway, n, t.radius_i, t.radius_j);
+    history += slip * t.time_step;
+    const bool fresh = history == Vec3<R>{};
+    if (t.time_step > R(0)) history -= dot(history, n) * n;
+
+    const Vec3<R> damping = (t.reduced_mass * R(constants.tangential_damping)) * slip;
+    Vec3<R> f_t = -(stiffness * history + damping);
+    const R size = norm(f_t);
+    const R limit = R(constants.friction) * std::abs(f_n);
+    if (size > limit) {
+      if (fresh) {
+        f_t = {};
+      } else {
+        f_t *= limit / size;
+        history = -(f_t + damping) * (R(1) / stiffness);
+      }
+    }
+    return {f_n * n + f_t, R(0)};
+  }
+};
+
+}  // namespace furnas

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "engine/laws/hooke.h"
+#include "engine/laws/touch.h"
+
+namespace furnas {
+
+/// Carries a vector across the rotation that takes the unit normal `from` to `to`, about the axis
+/// from x to: exact, keeps its length and its angle with the normal.
+template <class R>
+Vec3<R> transport(const Vec3<R>& vector, const Vec3<R>& from, const Vec3<R>& to) {
+  return vector - (dot(vector, to) / (R(1) + dot(from, to))) * (from + to);
+}
+
+/// Turns a vector about `normal` by an angle, to third order in it, without changing its length.
+template <class R>
+Vec3<R> turn(const Vec3<R>& vector, const Vec3<R>& normal, R angle) {
+  const R t = R(0.5) * angle;
+  const R scale = R(1) / (R(1) + t * t);
+  return ((R(1) - t * t) * scale) * vector + (R(2) * t * scale) * cross(normal, vector);
+}
+
+/// The damped Hookean contact with friction, each quantity taken at the instant it belongs to.
+///
+/// The slip of a step is measured in its middle, with the normal and the lever arms of the middle
+/// (Vyas, Ottino, Lueptow, Umbanhowar, Comput. Phys. Commun. 310 (2025) 109524); the history turns with
+/// the pair, about the normal too; damping uses velocities predicted for the end of the step. The lever
+/// arms meet in the contact point, the same for slip and torque, so angular momentum is conserved.
+struct HookeSynchronized {
+  static constexpr const char* name = "hooke_synchronized";
+  static constexpr bool spins = true;
+  static constexpr bool synchronized = true;
+
+  HookeConstants constants;
+
+  /// `history` is the tangential displacement xi of i against j [d_s].
+  template <class R>
+  Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
+    const R half = R(0.5);
+    const Vec3<R> n = t.branch * (R(1) / t.distance);
+    if (t.time_step > R(0)) history = aged(t, n, history);
+
+    const R shortening = half * t.overlap;
+    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, dot(t.now.velocity, n));
+    const Vec3<R> slip = slip_velocity(t.now, n, t.radius_i - shortening, t.radius_j - shortening);
+    const Vec3<R> damping = (t.reduced_mass * R(constants.tangential_damping)) * slip;
+    const R stiffness(constants.tangential_stiffness);
+    Vec3<R> f_t = -(stiffness * history + damping);
+    const R size = norm(f_t);
+    const R limit = R(constants.friction) * std::abs(f_n);
+    if (size > limit) {
+      f_t *= limit / size;
+      if (stiffness > R(0)) history = -(f_t + damping) * (R(1) / stiffness);
+    }
+    return {f_n * n + f_t, shortening};
+  }
+
+ private:
+  /// The history after the step: carried to its middle, grown by the slip there, carried to its end.
+  template <class R>
+  static Vec3<R> aged(const Touch<R>& t, const Vec3<R>& end, const Vec3<R>& history) {
+    const R half = R(0.5);
+    const Vec3<R> step = t.time_step * t.drift;
+    const Vec3<R> branch_start = t.branch - step;
+    const Vec3<R> branch_middle = t.branch - half * step;
+    const R distance_middle = norm(branch_middle);
+    const Vec3<R> start = branch_start * (R(1) / norm(branch_start));
+    const Vec3<R> middle = branch_middle * (R(1) / distance_middle);
+
+    const R shortening = half * (t.radius_i + t.radius_j - distance_middle);
+    const Vec3<R> slip = slip_velocity(t.midway, middle, t.radius_i - shortening, t.radius_j - shortening);
+    const R twist = (half * t.time_step) * dot(t.midway.spin_i + t.midway.spin_j, middle);
+    Vec3<R> xi = turn(transport(history, start, middle), middle, twist) + t.time_step * slip;
+    xi = transport(xi, middle, end);
+    return xi - dot(xi, end) * end;  // rounding alone: xi is across the normal already
+  }
+};
+
+}  // namespace furnas

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/base/vec3.h"
+
+namespace furnas {
+
+/// How the two particles of a contact move against each other at one instant.
+template <class R>
+struct RelativeMotion {
+  Vec3<R> velocity;  ///< v_i - v_j [d_s/time]
+  Vec3<R> spin_i;    ///< [1/time]
+  Vec3<R> spin_j;    ///< [1/time]
+};
+
+/// What a law sees of two particles that overlap at the end of a step.
+template <class R>
+struct Touch {
+  Vec3<R> branch;            ///< centre of j to centre of i [d_s]
+  R distance;                ///< |branch| [d_s]
+  R overlap;                 ///< R_i + R_j - distance > 0 [d_s]
+  R radius_i, radius_j;      ///< [d_s]
+  R reduced_mass;            ///< m_i m_j/(m_i + m_j) [rho d_s^3]
+  RelativeMotion<R> midway;  ///< in the middle of the step, as it carried the particles here
+  RelativeMotion<R> now;     ///< predicted for the end of the step; only if the law is synchronized
+  Vec3<R> drift;             ///< rate of change of the branch over the step, the cell's flow included
+  R time_step;               ///< [time]; 0 when forces are taken without a step
+};
+
+/// What the law answers.
+template <class R>
+struct Reaction {
+  Vec3<R> force;   ///< on i; on j it is the opposite [k_n d_s]
+  R shortening{};  ///< lever arms are R - shortening: 0, or overlap/2 when they meet in the contact [d_s]
+};
+
+/// Slip velocity of the surfaces at the contact: the part of v_i - v_j - (a_i w_i + a_j w_j) x n across n.
+template <class R>
+Vec3<R> slip_velocity(const RelativeMotion<R>& motion, const Vec3<R>& normal, R arm_i, R arm_j) {
+  const Vec3<R>& v = motion.velocity;
+  return v - dot(v, normal) * normal - cross(arm_i * motion.spin_i + arm_j * motion.spin_j, normal);
+}
+
+}  // namespace furnas

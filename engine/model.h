@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/laws/any_law.h"
+
+namespace furnas {
+
+/// Which of the six deformations the cell may make.
+enum class CellFreedom { triclinic, orthorhombic, cubic, fixed };
+
+/// The pressure bath: how the cell answers to the stress (docs/physics.md).
+struct Barostat {
+  CellFreedom freedom = CellFreedom::triclinic;
+  double pressure = 1e-4;  ///< p_a [k_n/d_s]
+  double inertia = 1;      ///< W [rho d_s^5]
+  double drag = 0;         ///< g [1/time]; the rate decays as exp(-g t)
+  /// Move the cell step for step as `fix nph/sphere` of LAMMPS does: its shear is driven by branch_a
+  /// force_b, a < b, not by the transpose, which does work on an upper-triangular cell (they differ
+  /// while torques act), and its tilts are stretched with the lengths of the step's start.
+  bool legacy = false;
+};
+
+/// What is simulated: everything that stays the same during a run.
+struct Model {
+  AnyLaw law;
+  Barostat barostat;
+  double time_step = 0.032415;   ///< [time]
+  bool affine_velocity = false;  ///< contacts see the cell's flow too, not the peculiar velocities alone
+  std::optional<double> skin;    ///< fixed skin [d_s]; chosen by the program if absent
+};
+
+}  // namespace furnas

@@ -1,0 +1,147 @@
+#include "engine/phases/forces.h"
+
+#include <cmath>
+
+#include "engine/base/parallel.h"
+
+namespace furnas {
+namespace {
+
+// Pieces of particles, not of rows, so that the order of the sums does not depend on the skin.
+constexpr std::size_t chunk = 256;
+
+/// Sum of branch (x) force.
+struct Virial {
+  Vec3<double> x, y, z;  ///< rows: the force weighted with one component of the branch
+  void add(const Vec3<double>& branch, const Vec3<double>& force) {
+    x += branch.x * force;
+    y += branch.y * force;
+    z += branch.z * force;
+  }
+  void operator+=(const Virial& b) { x += b.x, y += b.y, z += b.z; }
+};
+
+/// The law with what it needs to see two particles as a touch.
+template <class Scene>
+class Encounter {
+ public:
+  using Real = typename Scene::Real;
+  using Body = Particle<Real, Scene::spins>;
+  using Sum = Load<Real, Scene::spins>;
+  using Answer = Row<Real, Scene::spins>;
+
+  Encounter(const Model& model, double time_step, const Cell& cell)
+      : law_(std::get<typename Scene::Law>(model.law)),
+        cell_(cell),
+        time_step_(time_step),
+        affine_(model.affine_velocity) {}
+
+  /// Branch of two particles whose fractional coordinates differ by `difference` [d_s].
+  Vec3<double> branch(const Vec3<double>& difference) const { return cell_.edges * difference; }
+
+  /// Row of a pair whose squared distance is below the square of the sum of the radii.
+  Answer operator()(const Body& i, const Sum& load_i, const Body& j, const Sum& load_j,
+                    const Vec3<double>& branch, Vec3<Real>& history) const {
+    Touch<Real> touch;
+    touch.branch = {Real(branch.x), Real(branch.y), Real(branch.z)};
+    touch.distance = norm(touch.branch);
+    touch.overlap = i.radius + j.radius - touch.distance;
+    touch.radius_i = i.radius;
+    touch.radius_j = j.radius;
+    touch.reduced_mass = i.mass * j.mass / (i.mass + j.mass);
+    touch.time_step = Real(time_step_);
+    touch.midway.velocity = i.velocity - j.velocity;
+    const Vec3<double> flow = cell_.rate * branch;
+    touch.drift = touch.midway.velocity + flow;
+    if (affine_) touch.midway.velocity = touch.drift;
+    if constexpr (Scene::spins) {
+      touch.midway.spin_i = i.spin;
+      touch.midway.spin_j = j.spin;
+    }
+    if constexpr (Scene::Law::synchronized) predict(i, load_i, j, load_j, touch);
+
+    const Reaction<Real> reaction = law_(touch, history);
+    if constexpr (Scene::spins)
+      return {reaction.force, cross(touch.branch * (Real(1) / touch.distance), reaction.force),
+              reaction.shortening};
+    else
+      return {reaction.force};
+  }
+
+ private:
+  /// The motion at the end of the step, with the forces of its start: second order in the step.
+  void predict(const Body& i, const Sum& load_i, const Body& j, const Sum& load_j, Touch<Real>& touch) const {
+    const Real half = Real(0.5 * time_step_);
+    const Real kick_i = half / i.mass;
+    const Real kick_j = half / j.mass;
+    touch.now.velocity = touch.midway.velocity + (kick_i * load_i.force - kick_j * load_j.force);
+    if constexpr (Scene::spins) {
+      touch.now.spin_i = i.spin + (kick_i / (Real(0.4) * i.radius * i.radius)) * load_i.torque;
+      touch.now.spin_j = j.spin + (kick_j / (Real(0.4) * j.radius * j.radius)) * load_j.torque;
+    }
+  }
+
+  const typename Scene::Law& law_;
+  const Cell& cell_;
+  double time_step_;
+  bool affine_;
+};
+
+}  // namespace
+
+template <class Scene>
+void contact_forces(const Model& model, const double& time_step, const Cell& cell, const PairList& pairs,
+                    const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                    const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
+                    std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                    std::vector<Vec3<typename Scene::Real>>& history, Eigen::Matrix3d& stress) {
+  const Encounter<Scene> encounter(model, time_step, cell);
+  const bool nearest = pairs.quarter.empty();
+  Vec3<typename Scene::Real> no_history;
+
+  const auto piece = [&](std::size_t begin, std::size_t end) {
+    Virial virial;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& p = particles[i];
+      for (std::uint64_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
+        const std::uint32_t j = pairs.partner[k];
+        const auto& q = particles[j];
+        Vec3<double> branch =
+            encounter.branch(nearest ? nearest_difference(p.position, q.position)
+                                     : row_difference(p.position, q.position, pairs.quarter[k]));
+        const double reach = static_cast<double>(p.radius) + static_cast<double>(q.radius);
+        const double square = dot(branch, branch);
+        if (square >= reach * reach) {
+          rows[k] = {};
+          if constexpr (Scene::spins) history[k] = {};
+          continue;
+        }
+        // Centres that coincide have no normal; they part along x.
+        if (square == 0) branch = {1e-9 * reach, 0, 0};
+        auto& memory = [&]() -> auto& {
+          if constexpr (Scene::spins)
+            return history[k];
+          else
+            return no_history;
+        }
+        ();
+        rows[k] = encounter(p, loads[i], q, loads[j], branch, memory);
+        const auto& f = rows[k].force;
+        virial.add(branch, {f.x, f.y, f.z});
+      }
+    }
+    return virial;
+  };
+  const Virial sum = ordered_sum<Virial>(particles.size(), chunk, piece);
+  stress << sum.x.x, sum.x.y, sum.x.z, sum.y.x, sum.y.y, sum.y.z, sum.z.x, sum.z.y, sum.z.z;
+}
+
+#define FURNAS_INSTANTIATE(Law)                                                                       \
+  template void contact_forces<Scene<Law, double>>(                                                   \
+      const Model&, const double&, const Cell&, const PairList&,                                      \
+      const std::vector<Particle<double, Law::spins>>&, const std::vector<Load<double, Law::spins>>&, \
+      std::vector<Row<double, Law::spins>>&, std::vector<Vec3<double>>&, Eigen::Matrix3d&);
+FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#undef FURNAS_INSTANTIATE
+
+}  // namespace furnas

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/model.h"
+#include "engine/state/state.h"
+
+namespace furnas {
+
+/// Fastest particle of each size class in this step, squared [d_s^2/time^2].
+using TopSpeed = std::vector<double>;
+
+/// First half of the step for the particles: cell's drag on peculiar velocities, half a kick, drift.
+template <class Scene>
+void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
+                    const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
+                    std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                    TopSpeed& top_speed);
+
+/// Second half: the sum over the contacts of each particle, in an order that no thread changes, then
+/// half a kick and the cell's drag. `motion` becomes the kinetic part of the stress, times the volume.
+/// With `time_step` 0 only the sums are taken.
+template <class Scene>
+void gather_and_kick(const double& time_step, const Cell& cell, const PairList& pairs,
+                     const std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                     std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
+                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                     Eigen::Matrix3d& motion);
+
+}  // namespace furnas

@@ -1,0 +1,93 @@
+#include "engine/phases/renew_list.h"
+
+#include <cmath>
+#include <utility>
+
+#include "engine/base/parallel.h"
+#include "engine/search/find_pairs.h"
+#include "engine/search/merge.h"
+
+namespace furnas {
+
+void watch_wear(const double& time_step, const TopSpeed& top_speed, const Cell& cell, const PairList& pairs,
+                Wear& wear) {
+  const double strain = shrinkage_bound(cell.edges, pairs.edges);
+  for (std::size_t c = 0; c < top_speed.size(); ++c)
+    // Ways are measured in today's cell; what was travelled in a smaller one may have grown with it.
+    wear.travelled[c] += std::sqrt(top_speed[c]) * time_step * (1 + 2 * strain);
+  wear.suspect = !list_is_complete(pairs, wear.travelled, strain);
+}
+
+template <class Scene>
+void measure_wear(const Cell& cell, const PairList& pairs,
+                  const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear) {
+  for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
+    const SizeClass& group = pairs.classes[c];
+    struct Furthest {
+      double square{};
+      void operator+=(const Furthest& b) { square = std::max(square, b.square); }
+    };
+    const auto furthest =
+        ordered_sum<Furthest>(group.last - group.first, 1024, [&](std::size_t begin, std::size_t end) {
+          Furthest piece;
+          for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
+            const Vec3<double> way =
+                cell.edges * nearest_difference(particles[i].position, pairs.reference[i]);
+            piece += {dot(way, way)};
+          }
+          return piece;
+        });
+    wear.travelled[c] = std::sqrt(furthest.square);
+  }
+  wear.worn = !list_is_complete(pairs, wear.travelled, shrinkage(cell.edges, pairs.edges));
+}
+
+template <class Scene>
+void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                   const Wear& wear, const PairList& pairs,
+                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                   ListDraft& draft) {
+  draft.positions.resize(particles.size());
+  draft.radii.resize(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    draft.positions[i] = particles[i].position;
+    draft.radii[i] = particles[i].radius;
+  }
+  draft.fresh.classes = pairs.classes;
+  draft.fresh.skin =
+      next_skin(pairs, wear.travelled, pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
+  draft.bins = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, draft.positions);
+}
+
+void search_pairs(const Cell& cell, ListDraft& draft) {
+  find_pairs(draft.bins, cell.edges, draft.positions, draft.radii, draft.fresh);
+}
+
+template <class Scene>
+void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
+                std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                std::vector<Vec3<typename Scene::Real>>& history, std::vector<Image>& image, Wear& wear) {
+  for (std::size_t i = 0; i < pairs.reference.size(); ++i)
+    image[i] = crossed(image[i], pairs.reference[i], draft.positions[i]);
+  if constexpr (Scene::spins) history = merged_history(pairs, history, draft.fresh, draft.positions);
+  draft.fresh.step = step;
+  draft.fresh.builds = pairs.builds + 1;
+  std::swap(pairs, draft.fresh);
+  rows.assign(pairs.rows(), {});
+  wear.travelled.assign(pairs.classes.size(), 0);
+  wear.suspect = wear.worn = false;
+}
+
+#define FURNAS_INSTANTIATE(Law)                                                                            \
+  template void measure_wear<Scene<Law, double>>(const Cell&, const PairList&,                             \
+                                                 const std::vector<Particle<double, Law::spins>>&, Wear&); \
+  template void bin_particles<Scene<Law, double>>(                                                         \
+      const std::optional<double>&, const std::int64_t&, const Cell&, const Wear&, const PairList&,        \
+      const std::vector<Particle<double, Law::spins>>&, ListDraft&);                                       \
+  template void adopt_list<Scene<Law, double>>(const std::int64_t&, ListDraft&, PairList&,                 \
+                                               std::vector<Row<double, Law::spins>>&,                      \
+                                               std::vector<Vec3<double>>&, std::vector<Image>&, Wear&);
+FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#undef FURNAS_INSTANTIATE
+
+}  // namespace furnas

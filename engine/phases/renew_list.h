@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/phases/integrate.h"
+#include "engine/search/bins.h"
+#include "engine/search/wear.h"
+#include "engine/state/state.h"
+
+namespace furnas {
+
+/// What building a list needs besides the list: kept so that no step allocates it anew.
+struct ListDraft {
+  std::vector<Fraction> positions;
+  std::vector<double> radii;  ///< [d_s]
+  std::vector<Bins> bins;
+  PairList fresh;
+};
+
+/// Adds the fastest particles' way to the wear and says whether it must be measured.
+void watch_wear(const double& time_step, const TopSpeed& top_speed, const Cell& cell, const PairList& pairs,
+                Wear& wear);
+
+/// Measures how far particles have really moved since the list was built.
+template <class Scene>
+void measure_wear(const Cell& cell, const PairList& pairs,
+                  const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear);
+
+/// Chooses the skin and sorts the particles into bins.
+template <class Scene>
+void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                   const Wear& wear, const PairList& pairs,
+                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                   ListDraft& draft);
+
+/// Lists the pairs.
+void search_pairs(const Cell& cell, ListDraft& draft);
+
+/// Puts the new list in the place of the old one; the history and the count of crossed cells survive.
+template <class Scene>
+void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
+                std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                std::vector<Vec3<typename Scene::Real>>& history, std::vector<Image>& image, Wear& wear);
+
+}  // namespace furnas

@@ -1,0 +1,37 @@
+#include "engine/search/merge.h"
+
+#include <cmath>
+
+#include "engine/base/parallel.h"
+
+namespace furnas {
+
+std::array<std::int8_t, 3> image_of_row(const PairList& list, std::uint64_t k, const Fraction& i,
+                                        const Fraction& j) {
+  if (list.quarter.empty()) return {};
+  const Vec3<double> cells = row_difference(i, j, list.quarter[k]) - nearest_difference(i, j);
+  const auto whole = [](double x) { return static_cast<std::int8_t>(std::nearbyint(x)); };
+  return {whole(cells.x), whole(cells.y), whole(cells.z)};
+}
+
+std::vector<Vec3<double>> merged_history(const PairList& old, const std::vector<Vec3<double>>& old_history,
+                                         const PairList& fresh, const std::vector<Fraction>& positions) {
+  std::vector<Vec3<double>> history(fresh.rows());
+  if (old.first.empty()) return history;
+  for_chunks(positions.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::uint64_t k = fresh.first[i];
+      for (std::uint64_t o = old.first[i]; o < old.first[i + 1]; ++o) {
+        if (old_history[o] == Vec3<double>{}) continue;
+        const std::uint32_t j = old.partner[o];
+        const auto image = image_of_row(old, o, positions[i], positions[j]);
+        while (k < fresh.first[i + 1] && fresh.partner[k] < j) ++k;
+        for (std::uint64_t n = k; n < fresh.first[i + 1] && fresh.partner[n] == j; ++n)
+          if (image_of_row(fresh, n, positions[i], positions[j]) == image) history[n] = old_history[o];
+      }
+    }
+  });
+  return history;
+}
+
+}  // namespace furnas

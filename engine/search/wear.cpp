@@ -1,0 +1,70 @@
+#include "engine/search/wear.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace furnas {
+namespace {
+
+Eigen::Matrix3d dense(const Triangle& t) {
+  Eigen::Matrix3d m;
+  m << t.xx, t.xy, t.xz, 0, t.yy, t.yz, 0, 0, t.zz;
+  return m;
+}
+
+}  // namespace
+
+bool list_is_complete(const PairList& list, const std::vector<double>& travelled, double shrunk) {
+  for (std::size_t a = 0; a < list.classes.size(); ++a) {
+    for (std::size_t b = a; b < list.classes.size(); ++b) {
+      const double moved = travelled[a] + travelled[b];
+      const auto holds = [&](double radii) {
+        return moved + shrunk * (radii + list.skin(radii)) <= list.skin(radii);
+      };
+      // The condition is linear in the radii, so the ends of their range decide.
+      if (!holds(list.classes[a].smallest_radius + list.classes[b].smallest_radius) ||
+          !holds(list.classes[a].largest_radius + list.classes[b].largest_radius))
+        return false;
+    }
+  }
+  return true;
+}
+
+double shrinkage(const Triangle& now, const Triangle& then) {
+  const Eigen::Matrix3d f = dense(product(now, inverse(then)));
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.compute(f.transpose() * f, Eigen::EigenvaluesOnly);
+  return 1 - std::sqrt(std::max(solver.eigenvalues()(0), 0.0));
+}
+
+double shrinkage_bound(const Triangle& now, const Triangle& then) {
+  const Triangle f = product(now, inverse(then));
+  const double xx = f.xx - 1;
+  const double yy = f.yy - 1;
+  const double zz = f.zz - 1;
+  // sigma_min(F) >= 1 - |F - I|, and the Frobenius norm bounds the spectral one.
+  return std::sqrt(xx * xx + yy * yy + zz * zz + f.yz * f.yz + f.xz * f.xz + f.xy * f.xy);
+}
+
+Skin next_skin(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,
+               std::optional<double> fixed) {
+  if (fixed) return {*fixed, 0};
+  constexpr double build_cost = 6;      // steps that building a list is worth
+  constexpr double first_fixed = 0.05;  // before anything is known [smallest diameter]
+  constexpr double first_relative = 0.01;
+  const double diameter = 2 * list.classes.back().smallest_radius;
+  const auto life = static_cast<double>(step - list.step);
+  if (list.builds == 0 || life <= 0) return {first_fixed * diameter, first_relative};
+
+  const double motion = 2 * *std::max_element(travelled.begin(), travelled.end()) / life;  // [d_s/step]
+  const double strain = std::max(shrunk, 0.0) / life;                                      // [1/step]
+  // A step costs build_cost/life + 3 life (motion/diameter + strain): needless pairs grow with the skin.
+  const double growth = 3 * (motion / diameter + strain) + 1e-12;
+  const double wanted = std::clamp(std::sqrt(build_cost / growth), 5.0, 5000.0);
+  constexpr double margin = 1.2;
+  return {std::clamp(margin * motion * wanted, 1e-3 * diameter, 0.5 * diameter),
+          std::clamp(margin * strain * wanted, 1e-4, 0.1)};
+}
+
+}  // namespace furnas

@@ -1,0 +1,240 @@
+#include "engine/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "engine/phases/forces.h"
+#include "engine/phases/integrate.h"
+#include "engine/search/find_pairs.h"
+#include "engine/search/merge.h"
+#include "engine/search/size_classes.h"
+#include "engine/state/validate.h"
+#include "engine/step.h"
+
+namespace furnas {
+namespace {
+
+template <class Real>
+Vec3<double> wide(const Vec3<Real>& v) {
+  return {double(v.x), double(v.y), double(v.z)};
+}
+
+template <class Scene>
+class SimulationOf final : public Simulation {
+ public:
+  using Real = typename Scene::Real;
+  static constexpr bool spins = Scene::spins;
+
+  SimulationOf(const Model& model, const Packing& packing, int threads, Schedule schedule)
+      : model_(model),
+        workers_(threads),
+        as_graph_(schedule == Schedule::as_graph || (schedule == Schedule::automatic && threads > 1)),
+        step_(make_step<Scene>(model_, count_, state_, work_)) {
+    load(packing);
+  }
+
+  void advance(std::int64_t steps, const std::atomic<bool>* stop) override {
+    workers_.run([&] {
+      for (std::int64_t n = 0; n < steps && !(stop && *stop); ++n) {
+        as_graph_ ? step_.run_as_graph() : step_.run_in_order();
+        ++state_.step;
+      }
+    });
+  }
+
+  Packing packing() const override;
+  void load(const Packing& packing) override;
+
+  std::int64_t step() const override { return state_.step; }
+  const Cell& cell() const override { return state_.cell; }
+  const Model& model() const override { return model_; }
+  void set_pressure(double pressure) override { model_.barostat.pressure = pressure; }
+  int threads() const override { return workers_.threads(); }
+  std::int64_t builds() const override { return state_.pairs.builds; }
+  std::size_t pairs() const override { return state_.pairs.rows(); }
+  const StepGraph& graph() const override { return step_; }
+
+ private:
+  void build_list(std::int64_t builds);
+  void restore_contacts(const Packing& packing);
+  void take_forces();
+  std::vector<Contact> contacts() const;
+
+  Model model_;
+  Workers workers_;
+  bool as_graph_;
+  std::size_t count_{};
+  State<Scene> state_;
+  StepWork work_;
+  StepGraph step_;
+};
+
+template <class Scene>
+void SimulationOf<Scene>::load(const Packing& p) {
+  validate(p);
+  const std::int64_t builds = state_.pairs.builds;
+  count_ = p.size();
+  state_ = {};
+  state_.step = p.step;
+  state_.cell = p.cell;
+  state_.stress = p.stress;
+  state_.id = p.order.empty() ? memory_order(p) : p.order;
+  require(state_.id.size() == count_, "the order names every particle");
+  for (std::uint32_t k : state_.id) {
+    Particle<Real, spins> particle{};
+    const auto narrow = [](const Vec3<double>& v) { return Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}; };
+    particle.position = p.fraction[k];
+    particle.velocity = narrow(p.velocity[k]);
+    particle.radius = Real(p.radius[k]);
+    particle.mass = Real(p.mass[k]);
+    Load<Real, spins> load{};
+    load.force = narrow(p.force[k]);
+    if constexpr (spins) {
+      particle.spin = narrow(p.spin[k]);
+      load.torque = narrow(p.torque[k]);
+    }
+    state_.particles.push_back(particle);
+    state_.loads.push_back(load);
+    state_.species.push_back(p.species[k]);
+    state_.image.push_back(p.image[k]);
+  }
+  workers_.run([&] {
+    build_list(builds);
+    p.order.empty() ? take_forces() : restore_contacts(p);
+  });
+}
+
+template <class Scene>
+void SimulationOf<Scene>::build_list(std::int64_t builds) {
+  std::vector<double> radii;
+  for (const auto& particle : state_.particles) radii.push_back(particle.radius);
+  state_.pairs.classes = size_classes(radii);
+  work_.wear.travelled.assign(state_.pairs.classes.size(), 0);
+  bin_particles<Scene>(model_.skin, state_.step, state_.cell, work_.wear, state_.pairs, state_.particles,
+                       work_.draft);
+  search_pairs(state_.cell, work_.draft);
+  adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.history, state_.image,
+                    work_.wear);
+  state_.pairs.builds = builds + 1;
+}
+
+template <class Scene>
+void SimulationOf<Scene>::take_forces() {
+  const double no_step = 0;
+  contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
+                        state_.rows, state_.history, state_.stress.contacts);
+  gather_and_kick<Scene>(no_step, state_.cell, state_.pairs, state_.rows, state_.loads, state_.particles,
+                         state_.stress.motion);
+}
+
+template <class Scene>
+void SimulationOf<Scene>::restore_contacts(const Packing& p) {
+  std::vector<std::uint32_t> place(count_);
+  for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
+  const PairList& list = state_.pairs;
+  for (const Contact& c : p.contacts) {
+    std::uint32_t i = place[c.i];
+    std::uint32_t j = place[c.j];
+    auto image = c.image;
+    double sign = 1;
+    if (i < j) {
+      std::swap(i, j);
+      for (auto& k : image) k = static_cast<std::int8_t>(-k);
+      sign = -1;
+    }
+    std::uint64_t k = list.first[i];
+    while (k < list.first[i + 1] &&
+           !(list.partner[k] == j &&
+             image_of_row(list, k, state_.particles[i].position, state_.particles[j].position) == image))
+      ++k;
+    require(k < list.first[i + 1], "every contact is in the list");
+    state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
+    if constexpr (spins)
+      state_.history[k] = {Real(sign * c.history.x), Real(sign * c.history.y), Real(sign * c.history.z)};
+  }
+}
+
+template <class Scene>
+std::vector<Contact> SimulationOf<Scene>::contacts() const {
+  const PairList& list = state_.pairs;
+  std::vector<Contact> contacts;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const auto& p = state_.particles[i];
+    for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+      const std::uint32_t j = list.partner[k];
+      const auto& q = state_.particles[j];
+      const Vec3<double> branch =
+          state_.cell.edges * (list.quarter.empty()
+                                   ? nearest_difference(p.position, q.position)
+                                   : row_difference(p.position, q.position, list.quarter[k]));
+      const double reach = double(p.radius) + double(q.radius);
+      const double square = dot(branch, branch);
+      if (square >= reach * reach) continue;
+      Contact c;
+      c.i = state_.id[i];
+      c.j = state_.id[j];
+      c.image = image_of_row(list, k, p.position, q.position);
+      c.branch = branch;
+      c.overlap = reach - std::sqrt(square);
+      c.force = wide(state_.rows[k].force);
+      if constexpr (spins) {
+        c.history = wide(state_.history[k]);
+        const double friction = std::get<typename Scene::Law>(model_.law).constants.friction;
+        const double normal = std::abs(dot(c.force, branch)) / std::sqrt(square);
+        const double tangential = std::sqrt(std::max(dot(c.force, c.force) - normal * normal, 0.0));
+        c.sliding = tangential >= (1 - 1e-6) * friction * normal;
+      }
+      contacts.push_back(c);
+    }
+  }
+  return contacts;
+}
+
+template <class Scene>
+Packing SimulationOf<Scene>::packing() const {
+  Packing p;
+  p.step = state_.step;
+  p.time = static_cast<double>(state_.step) * model_.time_step;
+  p.cell = state_.cell;
+  p.stress = state_.stress;
+  p.order = state_.id;
+  p.resize(count_);
+  for (std::size_t n = 0; n < count_; ++n) {
+    const std::uint32_t k = state_.id[n];
+    const auto& particle = state_.particles[n];
+    p.species[k] = state_.species[n];
+    p.radius[k] = particle.radius;
+    p.mass[k] = particle.mass;
+    p.fraction[k] = particle.position;
+    p.image[k] = crossed(state_.image[n], state_.pairs.reference[n], particle.position);
+    p.velocity[k] = wide(particle.velocity);
+    p.force[k] = wide(state_.loads[n].force);
+    if constexpr (spins) {
+      p.spin[k] = wide(particle.spin);
+      p.torque[k] = wide(state_.loads[n].torque);
+    }
+  }
+  p.contacts = contacts();
+  return p;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads,
+                                            Schedule schedule) {
+  return std::visit(
+      [&](const auto& law) -> std::unique_ptr<Simulation> {
+        using S = Scene<std::decay_t<decltype(law)>, double>;
+        return std::make_unique<SimulationOf<S>>(model, packing, threads, schedule);
+      },
+      model.law);
+}
+
+int threads_for(std::size_t particles) {
+  constexpr std::size_t particles_a_thread = 2000;
+  return std::clamp(static_cast<int>(particles / particles_a_thread), 1, available_threads());
+}
+
+}  // namespace furnas

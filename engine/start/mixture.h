@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// Two sizes of spheres of density 1; the small ones have the diameter 1.
+struct Mixture {
+  double size_ratio = 1;         ///< alpha, diameter of the large ones [d_s]
+  double small_fraction = 0;     ///< f_s, share of the small ones in the volume of the spheres
+  std::int64_t large = 1000;     ///< N_l
+  double start_fraction = 0.05;  ///< packing fraction of the gas
+  std::uint64_t seed = 1;
+};
+
+/// N_s = N_l alpha^3 f_s/(1 - f_s), rounded.
+std::int64_t small_count(const Mixture& mixture);
+
+/// A gas of spheres at rest that do not touch, in a cubic cell; large ones first. Each is put at a random
+/// place, again until it is free (random sequential addition), large ones first. Throws InputError when
+/// no free place is found.
+Packing dilute_start(const Mixture& mixture);
+
+}  // namespace furnas

@@ -1,0 +1,55 @@
+#include "engine/step.h"
+
+#include "engine/phases/barostat.h"
+#include "engine/phases/forces.h"
+#include "engine/phases/integrate.h"
+
+namespace furnas {
+
+// clang-format off
+template <class S>
+StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& s, StepWork& w) {
+  StepGraph step;
+  const double& dt = model.time_step;
+  const Barostat& bath = model.barostat;
+  const bool moves = bath.freedom != CellFreedom::fixed;
+
+  if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
+  if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
+  step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.top_speed);
+  if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
+
+  step.phase("watch the wear",              watch_wear,           dt, w.top_speed, s.cell, s.pairs, w.wear);
+  step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, s.cell, s.pairs, s.particles, w.wear);
+  step.phase_when(w.wear.worn, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.wear, s.pairs, s.particles, w.draft);
+  step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
+  step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.history, s.image, w.wear);
+
+  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.history, s.stress.contacts);
+  step.phase("gather and kick",             gather_and_kick<S>,   dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
+  if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
+  // clang-format on
+
+  step.name(s.cell, "cell");
+  step.name(s.stress, "stress");
+  step.name(s.stress.contacts, "stress of contacts");
+  step.name(s.stress.motion, "stress of motion");
+  step.name(s.particles, "particles");
+  step.name(s.loads, "loads");
+  step.name(s.pairs, "pairs");
+  step.name(s.rows, "rows");
+  step.name(s.history, "history");
+  step.name(s.image, "image");
+  step.name(w.top_speed, "top speed");
+  step.name(w.wear, "wear");
+  step.name(w.draft, "draft of the list");
+  return step;
+}
+
+#define FURNAS_INSTANTIATE(Law)                                                      \
+  template StepGraph make_step<Scene<Law, double>>(const Model&, const std::size_t&, \
+                                                   State<Scene<Law, double>>&, StepWork&);
+FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#undef FURNAS_INSTANTIATE
+
+}  // namespace furnas

@@ -1,0 +1,190 @@
+#include "io/checkpoint.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/require.h"
+#include "io/particle_rows.h"
+#include "io/section_file.h"
+
+namespace furnas {
+namespace {
+
+constexpr SectionFormat format{checkpoint_magic, 1};
+
+static_assert(sizeof(Cell) == 12 * sizeof(double) && sizeof(Fraction) == 3 * sizeof(std::uint64_t) &&
+                  sizeof(Vec3<double>) == 3 * sizeof(double),
+              "stored as bytes: there must be no padding");
+
+/// How a field is stored: a truth value as a byte, all else as it is.
+template <class T>
+using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
+
+/// Writes what exchange() names.
+class Saver {
+ public:
+  explicit Saver(const std::filesystem::path& path) : writer_(path, format) {}
+
+  template <class T>
+  void one(std::string_view name, const T& value) {
+    writer_.array<T>(name, 1, [&](std::size_t) { return value; });
+  }
+  template <class List>
+  void list(std::string_view name, const List& values) {
+    writer_.array<typename List::value_type>(name, values.size(), [&](std::size_t k) { return values[k]; });
+  }
+  void matrix(std::string_view name, const Eigen::Matrix3d& value) {
+    writer_.array<double>(name, 9, [&](std::size_t k) { return value.data()[k]; });
+  }
+  template <class T>
+  void contact_field(std::string_view name, const std::vector<Contact>& contacts, T Contact::*field) {
+    writer_.array<Stored<T>>(name, contacts.size(),
+                             [&](std::size_t k) -> Stored<T> { return contacts[k].*field; });
+  }
+  void texts(const std::map<std::string, std::string>& values) {
+    one("extras", std::uint64_t{values.size()});
+    for (const auto& [key, value] : values) {
+      list("key of an extra", key);
+      list("value of an extra", value);
+    }
+  }
+  void finish() { writer_.commit(); }
+
+ private:
+  SectionWriter writer_;
+};
+
+/// Reads what exchange() names. Lists grow as their elements arrive, never by a number in the file.
+class Loader {
+ public:
+  explicit Loader(const std::filesystem::path& path) : reader_(path, format) {}
+
+  template <class T>
+  void one(std::string_view name, T& value) {
+    std::vector<T> values;
+    list(name, values);
+    if (values.size() != 1) reader_.fail("must have one element");
+    value = values[0];
+  }
+  template <class List>
+  void list(std::string_view name, List& values) {
+    values.clear();
+    reader_.array<typename List::value_type>(name, [&](const auto& element) { values.push_back(element); });
+  }
+  void matrix(std::string_view name, Eigen::Matrix3d& value) {
+    std::vector<double> values;
+    list(name, values);
+    if (values.size() != 9) reader_.fail("must have nine elements");
+    std::copy(values.begin(), values.end(), value.data());
+  }
+  /// The first field, the particle i, makes the contacts; the others must be as many.
+  template <class T>
+  void contact_field(std::string_view name, std::vector<Contact>& contacts, T Contact::*field) {
+    constexpr bool truth = std::is_same_v<T, bool>;
+    std::size_t k = 0;
+    reader_.array<Stored<T>>(name, [&](const Stored<T>& value) {
+      if constexpr (std::is_same_v<T, std::uint32_t>) {
+        if (field == &Contact::i) contacts.emplace_back();
+      }
+      if (k == contacts.size()) reader_.fail("has more elements than there are contacts");
+      if (truth && value != Stored<T>{} && value != Stored<T>{1})
+        reader_.fail("has a truth value beyond 0 and 1");
+      contacts[k++].*field = static_cast<T>(value);
+    });
+    if (k != contacts.size()) reader_.fail("has fewer elements than there are contacts");
+  }
+  void texts(std::map<std::string, std::string>& values) {
+    std::uint64_t count = 0;
+    one("extras", count);
+    for (std::uint64_t k = 0; k < count; ++k) {
+      std::string key, value;
+      list("key of an extra", key);
+      list("value of an extra", value);
+      if (!values.emplace(std::move(key), std::move(value)).second) reader_.fail("its key stands twice");
+    }
+  }
+  void finish() { reader_.finish(); }
+
+ private:
+  SectionReader reader_;
+};
+
+/// The sections of a checkpoint in order, for writing and for reading.
+template <class Archive, class AnyCheckpoint>
+void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
+  auto& p = checkpoint.packing;
+  archive.list("case", checkpoint.case_text);
+  archive.one("step", p.step);
+  archive.one("time", p.time);
+  archive.one("cell", p.cell);
+  archive.list("species", p.species);
+  archive.list("radius", p.radius);
+  archive.list("mass", p.mass);
+  archive.list("fraction", p.fraction);
+  archive.list("image", p.image);
+  archive.list("velocity", p.velocity);
+  archive.list("spin", p.spin);
+  archive.list("force", p.force);
+  archive.list("torque", p.torque);
+  archive.contact_field("contact i", p.contacts, &Contact::i);
+  archive.contact_field("contact j", p.contacts, &Contact::j);
+  archive.contact_field("contact image", p.contacts, &Contact::image);
+  archive.contact_field("contact branch", p.contacts, &Contact::branch);
+  archive.contact_field("contact overlap", p.contacts, &Contact::overlap);
+  archive.contact_field("contact force", p.contacts, &Contact::force);
+  archive.contact_field("contact history", p.contacts, &Contact::history);
+  archive.contact_field("contact sliding", p.contacts, &Contact::sliding);
+  archive.matrix("stress of contacts", p.stress.contacts);
+  archive.matrix("stress of motion", p.stress.motion);
+  archive.list("order", p.order);
+  archive.texts(checkpoint.extras);
+  archive.finish();
+}
+
+/// Every byte is as it was written; now it must also fit together.
+void check(const Packing& p, const std::filesystem::path& path) {
+  const auto fail = [&](const char* section, const char* what) {
+    throw InputError(path.string() + ": section '" + section + "': " + what);
+  };
+  const std::size_t n = p.size();
+  const auto same = [&](const char* section, std::size_t count) {
+    if (count != n) fail(section, "has another number of particles than 'radius'");
+  };
+  same("species", p.species.size());
+  same("mass", p.mass.size());
+  same("fraction", p.fraction.size());
+  same("image", p.image.size());
+  same("velocity", p.velocity.size());
+  same("spin", p.spin.size());
+  same("force", p.force.size());
+  same("torque", p.torque.size());
+  for (const Species s : p.species)
+    if (s != Species::large && s != Species::small)
+      fail("species", "has a value beyond 0 (large) and 1 (small)");
+  if (!p.order.empty()) {
+    same("order", p.order.size());
+    std::vector<bool> seen(n);
+    for (const std::uint32_t k : p.order) {
+      if (k >= n || seen[k]) fail("order", "does not have every particle once");
+      seen[k] = true;
+    }
+  }
+  check_packing(p, path);
+}
+
+}  // namespace
+
+void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path) {
+  Saver saver(path);
+  exchange(saver, checkpoint);
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  Checkpoint checkpoint;
+  Loader loader(path);
+  exchange(loader, checkpoint);
+  check(checkpoint.packing, path);
+  return checkpoint;
+}
+
+}  // namespace furnas

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// All that a run needs to go on exactly.
+struct Checkpoint {
+  Packing packing;
+  std::string case_text;                      ///< the resolved case file
+  std::map<std::string, std::string> extras;  ///< whatever else the parts of a run must remember
+};
+
+/// The first bytes of every checkpoint.
+inline constexpr std::string_view checkpoint_magic = "FURNASCP";
+
+/// Writes a checkpoint, complete or not at all; every bit of the packing is kept. Throws OutputError.
+void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path);
+
+/// Reads a checkpoint; throws InputError that names the file and the section if it is damaged in any bit, or
+/// if what it holds is no packing.
+Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+}  // namespace furnas

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/vec3.h"
+#include "io/text_reader.h"
+
+namespace furnas {
+
+/// The named columns of a table in a text file, and the numbers of its current row.
+class Columns {
+ public:
+  /// Sets the names; throws InputError if one occurs twice.
+  void name(const TextReader& reader, std::vector<std::string> names);
+  /// Takes a row; throws InputError unless it has one word for each name.
+  void row(const TextReader& reader, std::vector<std::string_view> words);
+
+  bool has(std::string_view name) const { return find(name) != none; }
+  bool has_all(const std::vector<std::string>& names) const;
+  /// The number in the column, or `missing` if there is no such column.
+  double real(std::string_view name, double missing = 0) const;
+  /// The whole number in the column, or `missing` if there is no such column.
+  std::int64_t integer(std::string_view name, std::int64_t missing = 0) const;
+  /// Three columns as a vector; each that is missing counts as zero.
+  Vec3<double> vector(std::string_view x, std::string_view y, std::string_view z) const {
+    return {real(x), real(y), real(z)};
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t find(std::string_view name) const;
+
+  const TextReader* reader_ = nullptr;
+  std::vector<std::string> names_;
+  std::vector<std::string_view> words_;
+};
+
+}  // namespace furnas

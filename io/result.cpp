@@ -1,0 +1,115 @@
+#include "io/result.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no infinity.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json rattlers(const Result& r) {
+  Json all = Json::array();
+  for (const RattlerCount& c : r.measures.rattlers) {
+    const auto share = [](std::int64_t part, std::int64_t whole) {
+      return whole > 0 ? Json(static_cast<double>(part) / static_cast<double>(whole)) : Json(nullptr);
+    };
+    all.push_back({{"least_contacts", c.least_contacts},
+                   {"large", c.large},
+                   {"small", c.small},
+                   {"large_share", share(c.large, r.large)},
+                   {"small_share", share(c.small, r.small)},
+                   {"backbone", c.backbone},
+                   {"contacts", c.contacts},
+                   {"coordination", c.coordination}});
+  }
+  return all;
+}
+
+Json reached(const Result& r) {
+  Json all = Json::array();
+  for (const RestingState& s : r.reached)
+    all.push_back({{"pressure", s.pressure}, {"phi_J", s.phi}, {"step", s.step}});
+  return all;
+}
+
+const char* balance(const Result& r) {
+  if (r.verdict != Verdict::jammed) return nullptr;
+  return r.rest.loosely ? "loose" : "tight";
+}
+
+Json cell(const Triangle& h) {
+  return {{"lx", h.xx}, {"ly", h.yy}, {"lz", h.zz}, {"xy", h.xy}, {"xz", h.xz}, {"yz", h.yz}};
+}
+
+}  // namespace
+
+std::optional<double> Result::phi_J() const {
+  if (verdict != Verdict::jammed) return {};
+  return measures.phi;
+}
+
+void write_result(const Result& r, const Case& c, const std::filesystem::path& path) {
+  const Measures& m = r.measures;
+  const auto phi_j = r.phi_J();
+  const char* const found_balance = balance(r);
+  const auto& s = m.stress;
+  const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
+  Json json = {
+      {"verdict", to_string(r.verdict)},
+      {"reason", r.reason},
+      {"phi_J", phi_j ? Json(*phi_j) : Json(nullptr)},
+      {"phi", number(m.phi)},
+      {"state_hash", fmt::format("{:016x}", r.state_hash)},
+      {"force_balance", found_balance ? Json(found_balance) : Json(nullptr)},
+      {"force_imbalance", number(r.rest.force_imbalance)},
+      {"stress_error", number(r.rest.stress_error)},
+      {"strain_drift_per_1e5_steps", number(r.rest.strain_drift)},
+      {"kinetic_energy_per_particle", number(m.kinetic_energy)},
+      {"backbone_kinetic_energy_per_particle", number(m.backbone_kinetic_energy)},
+      {"pressure", number(m.pressure)},
+      {"applied_pressure", c.compaction.cell == "fixed" ? Json(nullptr) : Json(r.pressure)},
+      {"stress", {{"xx", number(s[0])}, {"yy", number(s[1])}, {"zz", number(s[2])},
+                  {"xy", number(s[3])}, {"xz", number(s[4])}, {"yz", number(s[5])}}},
+      {"Z", m.coordination},
+      {"Z_backbone", backbone.coordination},
+      {"contacts", m.contacts},
+      {"backbone_threshold", m.backbone_threshold},
+      {"rattlers", rattlers(r)},
+      {"rattlers_stilled", r.rattlers_stilled},
+      {"sliding_share", m.sliding_share},
+      {"largest_overlap", number(m.largest_overlap)},
+      {"mean_force", number(m.mean_force)},
+      {"resting_states", reached(r)},
+      {"particles", r.large + r.small},
+      {"large", r.large},
+      {"small", r.small},
+      {"cell", cell(m.cell.edges)},
+      {"law", c.contact.friction > 0 ? c.contact.law : c.contact.law + " without friction"},
+      {"friction", c.contact.friction},
+      {"precision", c.compute.precision},
+      {"time_step", r.time_step},
+      {"inertia", r.inertia},
+      {"seed", c.mixture.seed},
+      {"steps", m.step},
+      {"time", m.time},
+      {"flips", r.flips},
+      {"lists_built", m.rebuilds},
+      {"threads", r.threads},
+      {"wall_seconds", r.wall_seconds},
+      {"million_particle_steps_per_second",
+       r.wall_seconds > 0 ? Json(static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
+                                 r.wall_seconds / 1e6)
+                          : Json(nullptr)},
+  };
+  write_file(path, json.dump(2) + "\n");
+}
+
+}  // namespace furnas

@@ -1,0 +1,116 @@
+#include "io/text_reader.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/require.h"
+
+namespace furnas {
+namespace {
+
+bool blank(char c) { return c == ' ' || c == '\t'; }
+
+/// A word as it may be shown in a message: not too long, nothing that a terminal would obey.
+std::string quoted(std::string_view word) {
+  std::string text = "'";
+  for (char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > 40 ? "...'" : "'");
+}
+
+std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+}  // namespace
+
+std::uint64_t readable_size(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path.string() + ": there is no such file");
+  if (!std::filesystem::is_regular_file(status)) throw InputError(path.string() + ": not a regular file");
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path.string() + ": " + error.message());
+  return size;
+}
+
+TextReader::TextReader(const std::filesystem::path& path)
+    : name_(path.string()), size_(readable_size(path)), stream_(path, std::ios::binary) {
+  if (!stream_) throw InputError(name_ + ": cannot be opened for reading");
+}
+
+bool TextReader::next_line() {
+  if (!std::getline(stream_, line_)) {
+    if (stream_.bad()) fail("the file cannot be read any further");
+    line_.clear();
+    return false;
+  }
+  ++line_number_;
+  if (line_number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
+  if (line_.ends_with('\r')) line_.pop_back();
+  return true;
+}
+
+void TextReader::require_line(std::string_view expected) {
+  if (!next_line()) fail(fmt::format("the file ends here, but {} must follow", expected));
+}
+
+std::vector<std::string_view> TextReader::words(char comment) const {
+  std::string_view rest = line_;
+  if (comment != '\0') rest = rest.substr(0, rest.find(comment));
+  std::vector<std::string_view> found;
+  for (std::size_t k = 0; k < rest.size();) {
+    if (blank(rest[k])) {
+      ++k;
+      continue;
+    }
+    const std::size_t begin = k;
+    while (k < rest.size() && !blank(rest[k])) ++k;
+    found.push_back(rest.substr(begin, k - begin));
+  }
+  return found;
+}
+
+void TextReader::fail_at(std::int64_t line, std::string_view what) const {
+  if (line > 0) throw InputError(fmt::format("{}:{}: {}", name_, line, what));
+  throw InputError(fmt::format("{}: {}", name_, what));
+}
+
+double TextReader::real(std::string_view word, std::string_view name) const {
+  const std::string_view digits = without_plus(word);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
+    fail(fmt::format("{} is {}; a number is expected", name, quoted(word)));
+  if (error == std::errc::result_out_of_range || !std::isfinite(value))
+    fail(fmt::format("{} is {}; it must be finite and within double precision", name, quoted(word)));
+  return value;
+}
+
+double TextReader::positive(std::string_view word, std::string_view name) const {
+  const double value = real(word, name);
+  if (value <= 0) fail(fmt::format("{} is {}; it must be above zero", name, quoted(word)));
+  return value;
+}
+
+std::int64_t TextReader::integer(std::string_view word, std::string_view name) const {
+  const std::string_view digits = without_plus(word);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size())
+    fail(fmt::format("{} is {}; a whole number is expected", name, quoted(word)));
+  return value;
+}
+
+std::size_t TextReader::particle_count(std::string_view word, std::size_t least_bytes) const {
+  const std::int64_t count = integer(word, "the number of particles");
+  if (count < 1) fail(fmt::format("the number of particles is {}; at least 1 is needed", count));
+  const auto value = static_cast<std::uint64_t>(count);
+  if (value > std::numeric_limits<std::uint32_t>::max() || value > size_ / least_bytes)
+    fail(fmt::format("the number of particles is {}; a file of {} bytes cannot hold them", value, size_));
+  return value;
+}
+
+}  // namespace furnas

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furnas {
+
+/// Throws InputError unless `path` is a file that can be read; returns its size in bytes.
+std::uint64_t readable_size(const std::filesystem::path& path);
+
+/// A text file, line by line, and the numbers in its lines. Each failure names file and line.
+class TextReader {
+ public:
+  /// Opens the file; throws InputError.
+  explicit TextReader(const std::filesystem::path& path);
+
+  /// Goes to the next line; false at the end of the file.
+  bool next_line();
+  /// Goes to the next line; `expected` tells what is missing if there is none.
+  void require_line(std::string_view expected);
+  /// The current line without its end.
+  const std::string& line() const { return line_; }
+  /// Counted from 1; 0 before the first.
+  std::int64_t line_number() const { return line_number_; }
+  /// Words of the current line, between blanks; what follows the character `comment` is left out.
+  std::vector<std::string_view> words(char comment = '\0') const;
+
+  /// Throws InputError with file and line.
+  [[noreturn]] void fail(std::string_view what) const { fail_at(line_number_, what); }
+  /// The same for an earlier line; 0 names the file alone.
+  [[noreturn]] void fail_at(std::int64_t line, std::string_view what) const;
+
+  /// A finite real number; `name` says what it is.
+  double real(std::string_view word, std::string_view name) const;
+  /// A finite real number above zero.
+  double positive(std::string_view word, std::string_view name) const;
+  /// A whole number.
+  std::int64_t integer(std::string_view word, std::string_view name) const;
+  /// How many particles follow: at least one, and no more than the file can hold if each takes
+  /// `least_bytes`.
+  std::size_t particle_count(std::string_view word, std::size_t least_bytes) const;
+
+ private:
+  std::string name_;
+  std::uint64_t size_;
+  std::ifstream stream_;
+  std::string line_;
+  std::int64_t line_number_ = 0;
+};
+
+}  // namespace furnas

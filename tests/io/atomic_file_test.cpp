@@ -1,0 +1,61 @@
+#include "io/atomic_file.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+TEST(AtomicFile, AppearsCompleteUnderItsName) {
+  const TemporaryFolder folder;
+  const std::string text(3'000'000, 'a');  // more than the buffer
+  {
+    AtomicFile file(folder / "a.txt");
+    file.write("b");
+    file.write(text);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+    file.commit();
+  }
+  EXPECT_EQ(content(folder / "a.txt"), "b" + text);
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, LeavesTheOldFileUnlessCommitted) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.txt", "old");
+  { AtomicFile(folder / "a.txt").write("new"); }
+  EXPECT_EQ(content(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.files(), 1u);
+  write_file(folder / "a.txt", "new");
+  EXPECT_EQ(content(folder / "a.txt"), "new");
+}
+
+TEST(AtomicFile, NamesWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_file(folder / "no/such/folder/a.txt", "a"), OutputError);
+  std::filesystem::create_directory(folder / "b.txt");
+  EXPECT_THROW(write_file(folder / "b.txt", "a"), OutputError);
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.txt", "old");
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  struct rlimit little = before;
+  little.rlim_cur = 100'000;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &little), 0);
+  EXPECT_THROW(write_file(folder / "a.txt", std::string(200'000, 'a')), OutputError);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(content(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,169 @@
+#include "io/checkpoint.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "engine/state/fingerprint.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+void expect_same_contacts(const Packing& p, const Packing& q) {
+  ASSERT_EQ(p.contacts.size(), q.contacts.size());
+  for (std::size_t k = 0; k < p.contacts.size(); ++k) {
+    const Contact &a = p.contacts[k], &b = q.contacts[k];
+    EXPECT_TRUE(a.i == b.i && a.j == b.j && a.image == b.image && a.branch == b.branch &&
+                a.overlap == b.overlap && a.force == b.force && a.history == b.history &&
+                a.sliding == b.sliding);
+  }
+}
+
+void expect_same_bits(const Packing& p, const Packing& q) {
+  EXPECT_EQ(p.step, q.step);
+  EXPECT_EQ(p.time, q.time);
+  EXPECT_EQ(p.cell, q.cell);
+  EXPECT_EQ(p.species, q.species);
+  EXPECT_TRUE(same_bits(p.radius, q.radius));
+  EXPECT_TRUE(same_bits(p.mass, q.mass));
+  EXPECT_TRUE(same_bits(p.fraction, q.fraction));
+  EXPECT_TRUE(same_bits(p.image, q.image));
+  EXPECT_TRUE(same_bits(p.velocity, q.velocity));
+  EXPECT_TRUE(same_bits(p.spin, q.spin));
+  EXPECT_TRUE(same_bits(p.force, q.force));
+  EXPECT_TRUE(same_bits(p.torque, q.torque));
+  expect_same_contacts(p, q);
+  EXPECT_EQ(p.stress.contacts, q.stress.contacts);
+  EXPECT_EQ(p.stress.motion, q.stress.motion);
+  EXPECT_EQ(p.order, q.order);
+  EXPECT_EQ(state_hash(p), state_hash(q));
+}
+
+Checkpoint example(unsigned seed, std::size_t count) {
+  return {random_packing(seed, count),
+          "[mixture]\nsize_ratio = 5.0\n",
+          {{"schedule", std::string("\0\1\2", 3)}, {"", "x"}}};
+}
+
+TEST(Checkpoint, KeepsEveryBit) {
+  const TemporaryFolder folder;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const Checkpoint a = example(seed, seed == 0 ? 60'000 : 10 * seed);  // 60 000: several blocks
+    write_checkpoint(a, folder / "a");
+    const Checkpoint b = read_checkpoint(folder / "a");
+    expect_same_bits(a.packing, b.packing);
+    EXPECT_EQ(a.case_text, b.case_text);
+    EXPECT_EQ(a.extras, b.extras);
+    EXPECT_EQ(folder.files(), 1u);
+  }
+}
+
+TEST(Checkpoint, NeedsNoContactsOrderOrExtras) {
+  const TemporaryFolder folder;
+  Checkpoint a{random_packing(1), "", {}};
+  a.packing.contacts.clear();
+  a.packing.order.clear();
+  write_checkpoint(a, folder / "a");
+  const Checkpoint b = read_checkpoint(folder / "a");
+  expect_same_bits(a.packing, b.packing);
+  EXPECT_TRUE(b.extras.empty() && b.case_text.empty());
+}
+
+TEST(Checkpoint, EveryChangedByteIsNoticed) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(2, 8), folder / "a");
+  const std::string bytes = content(folder / "a");
+  std::mt19937_64 random(1);
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    std::string changed = bytes;
+    changed[at] = static_cast<char>(changed[at] ^ (1 << random() % 8));
+    std::ofstream(folder / "b", std::ios::binary) << changed;
+    const std::string message = input_error([&] { read_checkpoint(folder / "b"); });
+    ASSERT_TRUE(message.starts_with((folder / "b").string() + ": ")) << "byte " << at << ": " << message;
+    if (at >= 16 && at < bytes.size() - 32) {
+      EXPECT_NE(message.find("section '"), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(Checkpoint, EveryCutIsNoticed) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(3, 8), folder / "a");
+  const std::string bytes = content(folder / "a");
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    std::ofstream(folder / "b", std::ios::binary) << bytes.substr(0, length);
+    ASSERT_NE(input_error([&] { read_checkpoint(folder / "b"); }), "") << length;
+  }
+  std::ofstream(folder / "b", std::ios::binary) << bytes << 'x';
+  EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }), "");
+}
+
+TEST(Checkpoint, DamageInASectionNamesIt) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(4, 500), folder / "a");
+  std::string bytes = content(folder / "a");
+  const std::size_t at = bytes.find("velocity");
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 100] = static_cast<char>(bytes[at + 100] ^ 1);
+  std::ofstream(folder / "b", std::ios::binary) << bytes;
+  EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }).find("section 'velocity': damaged"),
+            std::string::npos);
+}
+
+/// A count of elements that nothing backs must not be believed, whatever it is.
+TEST(Checkpoint, HugeCountsAllocateNothing) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(5, 20), folder / "a");
+  const std::string bytes = content(folder / "a");
+  for (const std::uint64_t count : {std::uint64_t{1} << 40, ~std::uint64_t{0}, ~std::uint64_t{0} / 8}) {
+    std::string changed = bytes;
+    std::memcpy(changed.data() + bytes.find("radius") - 8, &count, 8);
+    std::ofstream(folder / "b", std::ios::binary) << changed;
+    EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }).find("section 'radius'"),
+              std::string::npos);
+  }
+}
+
+TEST(Checkpoint, WhatIsNoPackingIsRefused) {
+  const TemporaryFolder folder;
+  const auto message = [&](auto change) {
+    Checkpoint a = example(6, 20);
+    change(a.packing);
+    write_checkpoint(a, folder / "a");
+    return input_error([&] { read_checkpoint(folder / "a"); });
+  };
+  const auto names = [](const std::string& text, const char* what) {
+    return text.find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(names(message([](Packing& p) { p.spin.pop_back(); }), "section 'spin'"));
+  EXPECT_TRUE(names(message([](Packing& p) { p.order[3] = p.order[4]; }), "section 'order'"));
+  EXPECT_TRUE(names(message([](Packing& p) { p.order.pop_back(); }), "section 'order'"));
+  EXPECT_TRUE(
+      names(message([](Packing& p) { p.species[2] = static_cast<Species>(7); }), "section 'species'"));
+  EXPECT_TRUE(names(message([](Packing& p) { p.contacts[1].j = 20; }), "contact"));
+  EXPECT_TRUE(names(message([](Packing& p) { p.velocity[7].x = std::nan(""); }), "particle 8"));
+  EXPECT_TRUE(names(message([](Packing& p) { p.cell.edges.zz = 0; }), "cell"));
+}
+
+TEST(Checkpoint, NamesAnotherVersion) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(7, 8), folder / "a");
+  std::string bytes = content(folder / "a");
+  bytes[8] = 9;
+  std::ofstream(folder / "b", std::ios::binary) << bytes;
+  EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }).find("another version"), std::string::npos);
+}
+
+TEST(Checkpoint, AFailedWriteLeavesTheOldOne) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_checkpoint(example(8, 8), folder / "none/a"), OutputError);
+}
+
+}  // namespace
+}  // namespace furnas

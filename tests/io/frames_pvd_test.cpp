@@ -1,0 +1,34 @@
+#include "io/frames_pvd.h"
+
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+TEST(FramesPvd, CanBeContinued) {
+  const TemporaryFolder folder;
+  std::vector<SavedFrame> frames;
+  for (std::size_t k = 0; k < 3; ++k) {
+    frames.push_back({0.1 * static_cast<double>(k), frame_file(k * 1000)});
+    write_frames(frames, folder / "frames.pvd");
+    EXPECT_EQ(read_frames(folder / "frames.pvd"), frames);
+  }
+  EXPECT_EQ(frames[1].file, "frames/packing_001000.vtp");
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(FramesPvd, RefusesWhatIsNoCollection) {
+  const TemporaryFolder folder;
+  write_frames({{1.5, "a.vtp"}}, folder / "a.pvd");
+  expect_refused(content(folder / "a.pvd"),
+                 {
+                     {"Collection", "PolyData", "not a ParaView collection"},
+                     {"timestep=\"1.5\"", "timestep=\"x\"", "a.pvd:4: timestep is 'x'"},
+                     {"file=", "name=", "needs file="},
+                     {"</VTKFile>", "", "ends without"},
+                 },
+                 folder / "a.pvd", read_frames);
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,122 @@
+#include "io/lammps_dump.h"
+
+#include "io/lammps_data.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+const std::string valid =
+    "ITEM: UNITS\nlj\nITEM: TIME\n2.5\n"
+    "ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n2\n"
+    "ITEM: BOX BOUNDS xy xz yz pp pp pp\n"
+    "0.5 6 1\n-1.5 3 0.5\n0 4 -0.5\n"
+    "ITEM: ATOMS id radius xs ys zs vx\n"
+    "9 0.5 0.25 0.5 0.75 3\n"
+    "4 1.5 1.25 -0.5 0 4\n";
+
+void compare_forces(const Packing& a, const Packing& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a.force[k], b.force[k]);
+    EXPECT_EQ(a.torque[k], b.torque[k]);
+  }
+}
+
+TEST(LammpsDump, RoundTripIsExactToRounding) {
+  const TemporaryFolder folder;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Packing p = random_packing(seed);
+    write_lammps_dump(p, folder / "a.dump");
+    const auto frames = read_lammps_dump(folder / "a.dump");
+    ASSERT_EQ(frames.size(), 1u);
+    expect_same_packing(p, frames[0]);
+    expect_same_unwrapped(p, frames[0]);
+    compare_forces(p, frames[0]);
+    EXPECT_EQ(p.step, frames[0].step);
+  }
+}
+
+TEST(LammpsDump, FindsColumnsByName) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.dump", valid);
+  const Packing p = read_last_lammps_frame(folder / "a.dump");
+  EXPECT_EQ(p.cell.edges, (Triangle{.xx = 4, .yy = 4, .zz = 4, .yz = -0.5, .xz = 0.5, .xy = 1}));
+  EXPECT_EQ(p.step, 10);
+  EXPECT_EQ(p.time, 2.5);
+  EXPECT_EQ(p.species, (std::vector{Species::large, Species::small}));
+  EXPECT_EQ(p.velocity[1], (Vec3<double>{3, 0, 0}));
+  EXPECT_EQ(p.fraction[1], to_fraction({0.25, 0.5, 0.75}));
+  EXPECT_EQ(p.image[0], (Image{1, -1, 0}));
+  EXPECT_NEAR(p.mass[1], std::numbers::pi / 6, 1e-15);
+}
+
+/// The same two particles, told in each of the ways LAMMPS knows.
+TEST(LammpsDump, AllKindsOfPositionsAgree) {
+  const TemporaryFolder folder;
+  const std::string head =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n1 5\n1 5\n1 5\nITEM: ATOMS ";
+  for (const std::string rest :
+       {"x y z ix iy iz diameter\n2 3 4 1 0 -1 2\n", "xu yu zu radius\n6 3 0 1\n",
+        "xs ys zs ix iy iz radius\n.25 .5 .75 1 0 -1 1\n", "radius xsu ysu zsu\n1 1.25 .5 -.25\n"}) {
+    write_file(folder / "a.dump", head + rest);
+    const Packing p = read_last_lammps_frame(folder / "a.dump");
+    EXPECT_EQ(p.fraction[0], to_fraction({0.25, 0.5, 0.75})) << rest;
+    EXPECT_EQ(p.image[0], (Image{1, 0, -1})) << rest;
+    EXPECT_EQ(p.radius[0], 1) << rest;
+  }
+}
+
+TEST(LammpsDump, ReadsTheReferenceTrajectory) {
+  const auto frames = read_lammps_dump(test_data("a3.nph.mu0.3.dump"));
+  ASSERT_EQ(frames.size(), 5u);
+  const Packing start = read_lammps_data(test_data("a3.data"));
+  expect_same_packing(start, frames[0], 1e-13);
+  EXPECT_EQ(frames[0].force[1].x, 0.049416696020172443);
+  EXPECT_EQ(frames[4].step, 200);
+  // The cell of the last frame as the run's log has it: xhi - xlo, yz, and where its origin went.
+  EXPECT_NEAR(frames[4].cell.edges.xx, 8.7632290257454137 + 0.028596116124912641, 1e-13);
+  EXPECT_NEAR(frames[4].cell.edges.yz, 2.6404320113648616, 1e-15);
+  // The cell breathes about its centre, the particles with it: they move little within it.
+  for (std::size_t k = 0; k < start.size(); ++k) EXPECT_LT(distance(start, frames[1], k), 0.2);
+}
+
+TEST(LammpsDump, RefusesMalformedFiles) {
+  const TemporaryFolder folder;
+  expect_refused(valid,
+                 {
+                     {"ITEM: TIMESTEP", "ITEM TIMESTEP", "a.dump:5: expected 'ITEM: TIMESTEP'"},
+                     {"\n10\n", "\n1.5\n", "a.dump:6: the step is '1.5'"},
+                     {"ITEM: TIMESTEP\n10\n", "", "must follow"},
+                     {"ATOMS\n2\n", "ATOMS\n1000\n", "cannot hold"},
+                     {"ATOMS\n2\n", "ATOMS\n3\n", "particle 3 of 3 must follow"},
+                     {"ATOMS\n2\n", "ATOMS\n1\n", "expected 'ITEM: TIMESTEP'"},
+                     {"ATOMS\n2\n", "ATOMS\n2 3\n", "one value"},
+                     {"pp pp pp", "pp pp ff", "periodic"},
+                     {"xy xz yz pp", "abc origin pp", "BOX BOUNDS"},
+                     {"0.5 6 1\n", "0.5 0.6 1\n", "above zero"},
+                     {"0.5 6 1\n", "0.5 6\n", "lo hi tilt"},
+                     {"radius xs", "size xs", "no column radius"},
+                     {"xs ys zs", "a b c", "no columns x y z"},
+                     {"xs ys zs", "xs xs zs", "the column xs occurs twice"},
+                     {"4 1.5 1.25", "9 1.5 1.25", "a.dump:15: the id 9 stands already in line 14"},
+                     {"4 1.5 1.25", "4 0 1.25", "radius"},
+                     {"4 1.5 1.25", "4 -1.5 1.25", "radius"},
+                     {"4 1.5 1.25", "4 nan 1.25", "finite"},
+                     {"4 1.5 1.25", "4 1e200 1.25", "mass"},
+                     {"4 1.5 1.25", "4 1.5 1e30", "too many cells"},
+                     {"4 1.5 1.25", "4 1.5", "5 columns; expected 6"},
+                     {"4 1.5 1.25 -0.5 0 4\n", "", "particle 2 of 2 must follow"},
+                 },
+                 folder / "a.dump", read_lammps_dump);
+  write_file(folder / "a.dump", "\n");
+  EXPECT_THROW(read_lammps_dump(folder / "a.dump"), InputError);
+  EXPECT_THROW(read_last_lammps_frame(folder / "a.dump"), InputError);
+}
+
+TEST(LammpsDump, SurvivesBeingCut) {
+  const TemporaryFolder folder;
+  expect_no_crash_when_cut(valid, folder / "a.dump", read_lammps_dump);
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,76 @@
+#include "io/text_reader.h"
+
+#include <rapidcheck.h>
+
+#include "io/text_writer.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+TEST(TextReader, GoesThroughLinesAndWords) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "\xEF\xBB\xBFone two\r\n\n\t three  four # five\nlast");
+  TextReader reader(folder / "a");
+  using Words = std::vector<std::string_view>;
+  ASSERT_TRUE(reader.next_line());
+  EXPECT_EQ(reader.words(), (Words{"one", "two"}));
+  ASSERT_TRUE(reader.next_line());
+  EXPECT_TRUE(reader.words().empty());
+  ASSERT_TRUE(reader.next_line());
+  EXPECT_EQ(reader.words('#'), (Words{"three", "four"}));
+  EXPECT_EQ(reader.words().size(), 4u);
+  ASSERT_TRUE(reader.next_line());
+  EXPECT_EQ(reader.line(), "last");
+  EXPECT_EQ(reader.line_number(), 4);
+  EXPECT_FALSE(reader.next_line());
+}
+
+TEST(TextReader, RefusesWhatIsNoNumber) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "x\n");
+  TextReader reader(folder / "a");
+  reader.next_line();
+  EXPECT_EQ(reader.real("-1.5e3", "it"), -1500);
+  EXPECT_EQ(reader.real("+2", "it"), 2);
+  EXPECT_EQ(reader.integer("-7", "it"), -7);
+  for (const char* word :
+       {"", "abc", "1.5x", "nan", "inf", "-inf", "1e400", "0x10", "+-1", "1 2", "--1", "1,5"})
+    EXPECT_NE(input_error([&] { reader.real(word, "it"); }).find(":1: it is '"), std::string::npos) << word;
+  for (const char* word : {"", "abc", "1.5", "1e3", "9999999999999999999999", "+-1"})
+    EXPECT_NE(input_error([&] { reader.integer(word, "it"); }).find(":1: it is '"), std::string::npos)
+        << word;
+  for (const char* word : {"0", "-1", "-0.0"}) EXPECT_THROW(reader.positive(word, "it"), InputError);
+  for (const char* word : {"0", "-1", "1000000000000", "2"})
+    EXPECT_THROW(reader.particle_count(word, 2), InputError) << word;
+  EXPECT_EQ(reader.particle_count("1", 2), 1u);
+}
+
+TEST(TextReader, RefusesWhatIsNoFile) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(TextReader(folder / "missing"), InputError);
+  EXPECT_THROW(TextReader(folder / ""), InputError);
+  EXPECT_THROW(TextReader("/dev/zero"), InputError);
+}
+
+TEST(TextWriter, NumbersReadBackBitByBit) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(rc::check([&](double x, double y, double z) {
+    {
+      AtomicFile file(folder / "a");
+      print(file, "{} {}\n", Vec3<double>{x, y, z}, x / 3);
+      file.commit();
+    }
+    TextReader reader(folder / "a");
+    reader.next_line();
+    const auto words = reader.words();
+    RC_ASSERT(words.size() == 4u);
+    RC_ASSERT(reader.real(words[0], "x") == x);
+    RC_ASSERT(reader.real(words[1], "y") == y);
+    RC_ASSERT(reader.real(words[2], "z") == z);
+    RC_ASSERT(reader.real(words[3], "x/3") == x / 3);
+  }));
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,260 @@
+#include "viz/picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include "engine/base/require.h"
+#include "viz/scene.h"
+
+namespace furnas {
+namespace {
+
+using testing::HasSubstr;
+using Pixel = std::array<int, 4>;
+
+/// An empty folder of this test's own.
+std::filesystem::path fresh_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("furnas-") + test->name());
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// A sheared cell with particles on a lattice of n^3 places, large and small in turn.
+Packing lattice(int n, double large, double small) {
+  Packing packing;
+  packing.cell.edges = {10, 9, 8, 0.8, -0.5, 1.5};
+  packing.resize(static_cast<std::size_t>(n * n * n));
+  for (int k = 0; k < n * n * n; ++k) {
+    const int x = k % n, y = k / n % n, z = k / n / n;
+    const auto at = static_cast<std::size_t>(k);
+    packing.fraction[at] = to_fraction({(x + 0.5) / n, (y + 0.5) / n, (z + 0.5) / n});
+    packing.species[at] = (x + y + z) % 2 ? Species::small : Species::large;
+    packing.radius[at] = packing.species[at] == Species::large ? large : small;
+  }
+  return packing;
+}
+
+Packing one_sphere() {
+  Packing packing;
+  packing.cell.edges = {10, 10, 10, 0, 0, 0};
+  packing.resize(1);
+  packing.radius[0] = 2;
+  packing.fraction[0] = to_fraction({0.3, 0.4, 0.7});
+  return packing;
+}
+
+Pixel pixel(const Pixels& picture, int x, int y) {
+  Pixel result;
+  for (int c = 0; c < 4; ++c)
+    result[c] = picture.rgba[static_cast<std::size_t>(4 * (y * picture.width + x) + c)];
+  return result;
+}
+
+Pixel pixel(const Pixels& picture, const View& view, const Vec3<double>& point) {
+  const auto [x, y] = view.project(point);
+  return pixel(picture, static_cast<int>((1 + x) / 2 * picture.width),
+               static_cast<int>((1 + y) / 2 * picture.height));
+}
+
+bool is_background(const Pixel& p) { return p[3] == 255 && std::min({p[0], p[1], p[2]}) == 255; }
+bool is_grey(const Pixel& p) {
+  return p[3] == 255 && p[0] > 70 && p[0] < 254 && std::abs(p[0] - p[1]) < 8 && std::abs(p[0] - p[2]) < 8;
+}
+bool is_gold(const Pixel& p) { return p[3] == 255 && p[0] > 60 && p[0] > p[1] && p[1] > 2 * p[2]; }
+bool is_dark_blue(const Pixel& p) { return p[3] == 255 && p[0] < 70 && p[0] < p[2]; }
+
+/// The share of pixels that are so.
+template <class Condition>
+double share(const Pixels& picture, Condition condition) {
+  int count = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) count += condition(pixel(picture, x, y));
+  return double(count) / (picture.width * picture.height);
+}
+
+double brightness(const Pixels& picture) {
+  double sum = 0;
+  for (std::size_t k = 0; k < picture.rgba.size(); ++k) sum += k % 4 == 3 ? 0 : picture.rgba[k];
+  return sum / static_cast<double>(picture.rgba.size());
+}
+
+TEST(Picture, FileShowsBothSpeciesOnWhite) {
+  const auto path = fresh_folder() / "packing.png";
+  render_png(lattice(4, 1.1, 0.9), path, {.width = 300, .height = 200});
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData& image = *reader->GetOutput();
+  ASSERT_EQ(image.GetDimensions()[0], 300);
+  ASSERT_EQ(image.GetDimensions()[1], 200);
+  ASSERT_EQ(image.GetNumberOfScalarComponents(), 3);
+
+  Pixels read{300, 200, {}};
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 300; ++x) {
+      for (int c = 0; c < 3; ++c)
+        read.rgba.push_back(static_cast<std::uint8_t>(image.GetScalarComponentAsDouble(x, y, 0, c)));
+      read.rgba.push_back(255);
+    }
+  EXPECT_GT(share(read, is_grey), 0.10);
+  EXPECT_GT(share(read, is_gold), 0.08);
+  EXPECT_GT(share(read, is_background), 0.40);  // the block fills the height, not the width
+  EXPECT_LT(share(read, is_background), 0.75);
+  EXPECT_EQ(read.rgba, render(lattice(4, 1.1, 0.9), {.width = 300, .height = 200}).rgba);
+}
+
+TEST(Picture, BlockFillsTheFrame) {
+  const Pixels picture = render(lattice(4, 1.1, 0.9), {.width = 240, .height = 240});
+  int left = 240, right = 0, bottom = 240, top = 0;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 240; ++x)
+      if (!is_background(pixel(picture, x, y))) {
+        left = std::min(left, x), right = std::max(right, x);
+        bottom = std::min(bottom, y), top = std::max(top, y);
+      }
+  EXPECT_GE(std::min(left, bottom), 3);
+  EXPECT_LE(std::max(right, top), 236);
+  EXPECT_GE(std::max(right - left, top - bottom), 228);
+  EXPECT_GE(std::min(right - left, top - bottom), 190);
+}
+
+TEST(Picture, TransparentOutsideAndOpaqueInside) {
+  const auto path = fresh_folder() / "packing.png";
+  render_png(lattice(3, 1.6, 1.5), path, {.width = 120, .height = 120, .transparent = true});
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData& image = *reader->GetOutput();
+  ASSERT_EQ(image.GetNumberOfScalarComponents(), 4);
+  for (const int x : {0, 119})
+    for (const int y : {0, 119}) EXPECT_EQ(image.GetScalarComponentAsDouble(x, y, 0, 3), 0);
+  EXPECT_EQ(image.GetScalarComponentAsDouble(60, 60, 0, 3), 255);
+}
+
+TEST(Picture, TransparentEdgesKeepTheirColour) {
+  const Pixels picture =
+      render(one_sphere(), {.width = 120, .height = 120, .transparent = true, .cell = false});
+  int partly = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const Pixel p = pixel(picture, x, y);
+      if (p[3] == 0 || p[3] == 255) continue;
+      ++partly;
+      EXPECT_GT(p[0], 50);  // nothing of the black behind it
+    }
+  EXPECT_GT(partly, 100);
+}
+
+TEST(Picture, LoneSphereIsADiscThatFillsTheFrame) {
+  const int side = 300;
+  const Pixels picture = render(one_sphere(), {.width = side, .height = side, .cell = false});
+  const double radius = 0.96 * side / 2;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double distance = std::hypot(x + 0.5 - side / 2.0, y + 0.5 - side / 2.0);
+      if (std::abs(distance - radius) < 1.5) continue;
+      const Pixel p = pixel(picture, x, y);
+      ASSERT_TRUE(distance < radius ? is_grey(p) : is_background(p)) << x << ' ' << y;
+    }
+}
+
+TEST(Picture, SphereIsWhereTheProjectionSays) {
+  Packing packing = one_sphere();
+  packing.species[0] = Species::small;  // gold, to tell it from the smoothed edges of the cell
+  const Pixels picture = render(packing, {.width = 300, .height = 300});
+  const View view = view_of(packing, 1, true);
+  double count = 0, x_sum = 0, y_sum = 0;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 300; ++x)
+      if (is_gold(pixel(picture, x, y))) ++count, x_sum += x + 0.5, y_sum += y + 0.5;
+  const auto [x, y] = view.project(packing.position(0));
+  const double depth = dot(view.eye - packing.position(0), view.toward);
+  EXPECT_NEAR(std::sqrt(count / std::numbers::pi), packing.radius[0] / view.pixel(depth, 300), 1);
+  EXPECT_NEAR(x_sum / count, (1 + x) * 150, 1);
+  EXPECT_NEAR(y_sum / count, (1 + y) * 150, 1);
+}
+
+TEST(Picture, EachParticleHasTheColourOfItsSpecies) {
+  const Packing packing = lattice(2, 0.7, 0.5);  // so sparse that no sphere hides another's middle
+  const PictureOptions options{.width = 300, .height = 240, .cell = false};
+  const Pixels picture = render(packing, options);
+  const View view = view_of(packing, 300.0 / 240, false);
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const Pixel p = pixel(picture, view, packing.position(k));
+    EXPECT_TRUE(packing.species[k] == Species::large ? is_grey(p) : is_gold(p)) << "particle " << k;
+  }
+}
+
+TEST(Picture, EdgesOfTheCellAreDrawnOnRequest) {
+  Packing packing = one_sphere();
+  packing.cell.edges = {10, 9, 8, 0.8, -0.5, 1.5};
+  const View view = view_of(packing, 1, true);
+  const Pixels with = render(packing, {.width = 400, .height = 400});
+  for (const Vec3<double>& s :
+       {Vec3{0.75, 0.0, 0.0}, Vec3{1.0, 0.5, 0.0}, Vec3{1.0, 1.0, 0.5}, Vec3{0.5, 0.0, 1.0}})
+    EXPECT_TRUE(is_dark_blue(pixel(with, view, packing.cell.edges * s))) << s.x << ' ' << s.y << ' ' << s.z;
+  EXPECT_EQ(share(render(packing, {.width = 400, .height = 400, .cell = false}), is_dark_blue), 0);
+}
+
+TEST(Picture, AmbientOcclusionDarkensGapsButNotALoneSphere) {
+  const auto ratio = [](const Packing& packing) {
+    PictureOptions options{.width = 200, .height = 200, .cell = false};
+    const double with = brightness(render(packing, options));
+    options.ambient_occlusion = false;
+    return with / brightness(render(packing, options));
+  };
+  EXPECT_LT(ratio(lattice(5, 0.9, 0.9)), 0.95);
+  EXPECT_GT(ratio(lattice(5, 0.9, 0.9)), 0.60);
+  EXPECT_NEAR(ratio(one_sphere()), 1, 0.03);
+}
+
+TEST(Picture, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  render(one_sphere(), {.width = 20, .height = 20});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Picture, RefusesWhatCannotBeDrawn) {
+  EXPECT_THAT(refusal([] { render({}); }), HasSubstr("no particles"));
+  EXPECT_THAT(refusal([] { render(one_sphere(), {.width = 0}); }), HasSubstr("0 x 2000 pixels"));
+  EXPECT_THAT(refusal([] { render(one_sphere(), {.height = 1 << 20}); }),
+              HasSubstr("each side must be 1 to"));
+}
+
+TEST(Picture, NamesThePathThatCannotBeWritten) {
+  const auto folder = fresh_folder();
+  const PictureOptions options{.width = 20, .height = 20};
+  const auto lost = folder / "missing" / "packing.png";
+  EXPECT_THAT(refusal([&] { render_png(one_sphere(), lost, options); }),
+              testing::AllOf(HasSubstr(lost.string()), HasSubstr("No such file")));
+  EXPECT_THAT(refusal([&] { render_png(one_sphere(), folder, options); }), HasSubstr(folder.string()));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  EXPECT_FALSE(std::filesystem::exists(folder.string() + ".part"));
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace furnas {
+
+/// A picture, row by row from the bottom, four bytes each: red, green, blue, opacity (not multiplied in).
+struct Pixels {
+  int width{}, height{};           ///< [pixels]
+  std::vector<std::uint8_t> rgba;  ///< 4 width height bytes
+};
+
+/// Writes a PNG file, with opacity or opaque. The file appears whole or not at all; throws InputError
+/// when it cannot be written.
+void write_png(const Pixels& pixels, const std::filesystem::path& path, bool opacity);
+
+}  // namespace furnas
