@@ -21,6 +21,15 @@ Vec3<double> wide(const Vec3<Real>& v) {
   return {double(v.x), double(v.y), double(v.z)};
 }
 
+bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t count) {
+  std::vector<bool> named(count);
+  for (std::uint32_t k : order) {
+    if (k >= count || named[k]) return false;
+    named[k] = true;
+  }
+  return order.size() == count;
+}
+
 template <class Scene>
 class SimulationOf final : public Simulation {
  public:
@@ -81,7 +90,7 @@ void SimulationOf<Scene>::load(const Packing& p) {
   state_.cell = p.cell;
   state_.stress = p.stress;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
-  require(state_.id.size() == count_, "the order names every particle");
+  require(is_permutation(state_.id, count_), "the order names every particle once");
   for (std::uint32_t k : state_.id) {
     Particle<Real, spins> particle{};
     const auto narrow = [](const Vec3<double>& v) { return Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}; };
@@ -135,13 +144,15 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const PairList& list = state_.pairs;
   for (const Contact& c : p.contacts) {
+    require(c.i < count_ && c.j < count_, "contacts are of particles of the packing");
     std::uint32_t i = place[c.i];
     std::uint32_t j = place[c.j];
     auto image = c.image;
     double sign = 1;
-    if (i < j) {
+    // Of the two images on which a particle meets itself the list has the one that is below zero.
+    if (i < j || (i == j && decltype(image){} < image)) {
+      image = image_seen_from_j(image, p.fraction[c.i], p.fraction[c.j]);
       std::swap(i, j);
-      for (auto& k : image) k = static_cast<std::int8_t>(-k);
       sign = -1;
     }
     std::uint64_t k = list.first[i];

@@ -63,14 +63,19 @@ struct HookeSynchronized {
     const Vec3<R> step = t.time_step * t.drift;
     const Vec3<R> branch_start = t.branch - step;
     const Vec3<R> branch_middle = t.branch - half * step;
+    const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);
-    const Vec3<R> start = branch_start * (R(1) / norm(branch_start));
+    const Vec3<R> start = branch_start * (R(1) / distance_start);
     const Vec3<R> middle = branch_middle * (R(1) / distance_middle);
 
-    const R shortening = half * (t.radius_i + t.radius_j - distance_middle);
+    // Spheres that met within the step have slipped on each other only since then.
+    const R reach = t.radius_i + t.radius_j;
+    const R share = distance_start > reach ? t.overlap / (distance_start - t.distance) : R(1);
+
+    const R shortening = half * (reach - distance_middle);
     const Vec3<R> slip = slip_velocity(t.midway, middle, t.radius_i - shortening, t.radius_j - shortening);
     const R twist = (half * t.time_step) * dot(t.midway.spin_i + t.midway.spin_j, middle);
-    Vec3<R> xi = turn(transport(history, start, middle), middle, twist) + t.time_step * slip;
+    Vec3<R> xi = turn(transport(history, start, middle), middle, twist) + (share * t.time_step) * slip;
     xi = transport(xi, middle, end);
     return xi - dot(xi, end) * end;  // rounding alone: xi is across the normal already
   }

@@ -61,14 +61,14 @@ template <class Scene>
 void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
-                    TopSpeed& top_speed) {
+                    LongestWay& longest_way) {
   using Real = typename Scene::Real;
   const CellDrag drag(cell.rate, particles.size(), time_step);
   const Triangle to_fraction_step = inverse(cell.edges);
-  top_speed.assign(pairs.classes.size(), 0);
+  longest_way.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
-    std::vector<double> fastest((group.last - group.first + chunk - 1) / chunk);
+    std::vector<double> longest((group.last - group.first + chunk - 1) / chunk);
     for_chunks(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end, std::size_t piece) {
       double top = 0;
       for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
@@ -76,13 +76,15 @@ void kick_and_drift(const double& time_step, const Cell& cell, const PairList& p
         p.velocity = drag(p.velocity);
         half_kick(p, loads[i], Real(0.5 * time_step));
         const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-        const Fraction moved = to_fraction(to_fraction_step * (v * time_step));
+        const Vec3<double> s = to_fraction_step * (v * time_step);
+        const Fraction moved = to_fraction(s);
         p.position = {p.position.x + moved.x, p.position.y + moved.y, p.position.z + moved.z};
-        top = std::max(top, dot(v, v));
+        const Vec3<double> way = pairs.edges * s;
+        top = std::max(top, dot(way, way));
       }
-      fastest[piece] = top;
+      longest[piece] = top;
     });
-    for (double top : fastest) top_speed[c] = std::max(top_speed[c], top);
+    for (double top : longest) longest_way[c] = std::max(longest_way[c], top);
   }
 }
 
@@ -116,12 +118,12 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law)                                                                            \
-  template void kick_and_drift<Scene<Law, double>>(const double&, const Cell&, const PairList&,            \
-                                                   const std::vector<Load<double, Law::spins>>&,           \
-                                                   std::vector<Particle<double, Law::spins>>&, TopSpeed&); \
-  template void gather_and_kick<Scene<Law, double>>(                                                       \
-      const double&, const Cell&, const PairList&, const std::vector<Row<double, Law::spins>>&,            \
+#define FURNAS_INSTANTIATE(Law)                                                                              \
+  template void kick_and_drift<Scene<Law, double>>(const double&, const Cell&, const PairList&,              \
+                                                   const std::vector<Load<double, Law::spins>>&,             \
+                                                   std::vector<Particle<double, Law::spins>>&, LongestWay&); \
+  template void gather_and_kick<Scene<Law, double>>(                                                         \
+      const double&, const Cell&, const PairList&, const std::vector<Row<double, Law::spins>>&,              \
       std::vector<Load<double, Law::spins>>&, std::vector<Particle<double, Law::spins>>&, Eigen::Matrix3d&);
 FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
