@@ -71,6 +71,7 @@ class SaveCheckpoint final : public Event {
   const char* name() const override { return "checkpoint"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
+  bool heeds_attention() const override { return true; }
   std::optional<Verdict> fire(Observation& now) override;
 
  private:

@@ -60,7 +60,7 @@ Verdict compact(Observation& now, const Events& events, std::atomic<bool>* atten
     now.simulation().advance(target - now.step(), attention);
     const bool called = attention && attention->exchange(false);
     for (std::size_t k = 0; k < events.size(); ++k) {
-      if (next[k] > now.step() && !called) continue;
+      if (next[k] > now.step() && !(called && events[k]->heeds_attention())) continue;
       if (events[k]->due(now))
         if (const std::optional<Verdict> verdict = events[k]->fire(now)) return *verdict;
       next[k] = events[k]->next(now.step());

@@ -53,6 +53,10 @@ class Event {
   /// Whether it happens now; asked at the steps that `next` named.
   virtual bool due(Observation&) { return true; }
 
+  /// Whether it is asked, too, as soon as the run is called to attention, at whatever step that is. Only for
+  /// what leaves the state alone: a run must not depend on when somebody called.
+  virtual bool heeds_attention() const { return false; }
+
   /// Lets it happen; an answer ends the run.
   virtual std::optional<Verdict> fire(Observation& now) = 0;
 };
@@ -63,8 +67,8 @@ std::int64_t next_multiple(std::int64_t step, std::int64_t period);
 /// The events of a run, in the order in which those of one step happen.
 using Events = std::vector<std::unique_ptr<Event>>;
 
-/// Runs from event to event until one of them ends it. Setting `attention` makes the run look at all its
-/// events after the current step; the run clears it.
+/// Runs from event to event until one of them ends it. Setting `attention` makes the run ask the events that
+/// heed it after the current step; the run clears it.
 Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention = nullptr);
 
 }  // namespace furnas

@@ -38,6 +38,7 @@ class Interrupted final : public Event {
   const char* name() const override { return "interrupted"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
   bool due(Observation&) override { return stop_; }
+  bool heeds_attention() const override { return true; }
   std::optional<Verdict> fire(Observation&) override { return Verdict::interrupted; }
 
  private:

@@ -190,7 +190,7 @@ TEST(WatchWear, SuspectsEveryListThatIsWorn) {
     for (std::uint64_t step = 0; step < 40; ++step) {
       const Triangle& rate = rates[step < turn ? 0 : 1];
       p.cell.rate = {rate.xx - 1, rate.yy - 1, rate.zz - 1, rate.yz, rate.xz, rate.xy};
-      stretch_cell(dt, p.cell);
+      stretch_cell(Barostat{}, dt, p.cell);
       const double speed = step < turn ? fast : 0;
       LongestWay longest(list.classes.size(), 0);
       for (std::size_t c = 0; c < list.classes.size(); ++c)
@@ -200,7 +200,7 @@ TEST(WatchWear, SuspectsEveryListThatIsWorn) {
           p.fraction[k] = {p.fraction[k].x + way.x, p.fraction[k].y + way.y, p.fraction[k].z + way.z};
           longest[c] = std::max(longest[c], dot(list.edges * s, list.edges * s));
         }
-      stretch_cell(dt, p.cell);
+      stretch_cell(Barostat{}, dt, p.cell);
       watch_wear(longest, p.cell, list, wear);
       if (wear.suspect) return;
       RC_ASSERT(list_is_complete(list, measured(p, list), shrinkage(p.cell.edges, list.edges)));

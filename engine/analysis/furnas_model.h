@@ -1,0 +1,34 @@
+#pragma once
+
+namespace furnas {
+
+/// The generalized Furnas model: how dense two sizes pack in the limit of an infinite size ratio.
+///
+/// Either the large spheres form the packing and the small ones lie in its voids, or the small ones form it
+/// and the large ones are inclusions; whichever is less dense holds. The friction enters through the packing
+/// fraction of one size alone. Source: Srivastava et al., "Jamming of bidisperse frictional spheres" (arXiv
+/// 2105.00977), after C. C. Furnas, Ind. Eng. Chem. 23 (1931) 1052.
+struct FurnasModel {
+  double mono;  ///< phi_mono(mu), packing fraction of spheres of one size, in (0, 1)
+
+  /// phi(f_s): mono/(1 - f_s) up to f_max, mono/(f_s + mono (1 - f_s)) beyond; f_s in [0, 1] is the share of
+  /// the small spheres in the volume of all.
+  double phi(double small_fraction) const;
+
+  /// f_max = (1 - mono)/(2 - mono), the f_s of the densest mixture: small spheres fill every void as densely
+  /// as they pack alone.
+  double f_max() const { return (1 - mono) / (2 - mono); }
+
+  /// phi_max = 1 - (1 - mono)^2, the packing fraction at f_max.
+  double phi_max() const { return mono * (2 - mono); }
+};
+
+/// phi_L = phi (1 - f_s), packing fraction of the large spheres alone; the model has phi_L = phi_mono below
+/// f_max.
+double fraction_of_large(double phi, double small_fraction);
+
+/// phi_S = f_s phi/(1 - phi (1 - f_s)), packing fraction of the small spheres in the room that the large ones
+/// leave; the model has phi_S = phi_mono above f_max.
+double fraction_in_voids(double phi, double small_fraction);
+
+}  // namespace furnas
