@@ -21,6 +21,15 @@ Vec3<double> wide(const Vec3<Real>& v) {
   return {double(v.x), double(v.y), double(v.z)};
 }
 
+bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t count) {
+  std::vector<bool> named(count);
+  for (std::uint32_t k : order) {
+    if (k >= count || named[k]) return false;
+    named[k] = true;
+  }
+  return order.size() == count;
+}
+
 template <class Scene>
 class SimulationOf final : public Simulation {
  public:
@@ -81,22 +90,25 @@ void SimulationOf<Scene>::load(const Packing& p) {
   state_.cell = p.cell;
   state_.stress = p.stress;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
-  require(state_.id.size() == count_, "the order names every particle");
+  require(is_permutation(state_.id, count_), "the order names every particle once");
   for (std::uint32_t k : state_.id) {
     Particle<Real, spins> particle{};
     const auto narrow = [](const Vec3<double>& v) { return Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}; };
     particle.position = p.fraction[k];
     particle.velocity = narrow(p.velocity[k]);
     particle.radius = Real(p.radius[k]);
-    particle.mass = Real(p.mass[k]);
+    particle.inverse_mass = Real(1 / p.mass[k]);
     Load<Real, spins> load{};
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
+      constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
       particle.spin = narrow(p.spin[k]);
+      particle.inverse_inertia = Real(1 / (sphere_inertia * p.mass[k] * p.radius[k] * p.radius[k]));
       load.torque = narrow(p.torque[k]);
     }
     state_.particles.push_back(particle);
     state_.loads.push_back(load);
+    state_.mass.push_back(p.mass[k]);
     state_.species.push_back(p.species[k]);
     state_.image.push_back(p.image[k]);
   }
@@ -135,13 +147,15 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const PairList& list = state_.pairs;
   for (const Contact& c : p.contacts) {
+    require(c.i < count_ && c.j < count_, "contacts are of particles of the packing");
     std::uint32_t i = place[c.i];
     std::uint32_t j = place[c.j];
     auto image = c.image;
     double sign = 1;
-    if (i < j) {
+    // Of the two images on which a particle meets itself the list has the one that is below zero.
+    if (i < j || (i == j && decltype(image){} < image)) {
+      image = image_seen_from_j(image, p.fraction[c.i], p.fraction[c.j]);
       std::swap(i, j);
-      for (auto& k : image) k = static_cast<std::int8_t>(-k);
       sign = -1;
     }
     std::uint64_t k = list.first[i];
@@ -206,7 +220,7 @@ Packing SimulationOf<Scene>::packing() const {
     const auto& particle = state_.particles[n];
     p.species[k] = state_.species[n];
     p.radius[k] = particle.radius;
-    p.mass[k] = particle.mass;
+    p.mass[k] = state_.mass[n];
     p.fraction[k] = particle.position;
     p.image[k] = crossed(state_.image[n], state_.pairs.reference[n], particle.position);
     p.velocity[k] = wide(particle.velocity);

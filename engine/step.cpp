@@ -16,10 +16,10 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.top_speed);
+  step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
-  step.phase("watch the wear",              watch_wear,           dt, w.top_speed, s.cell, s.pairs, w.wear);
+  step.phase("watch the wear",              watch_wear,           w.longest_way, s.cell, s.pairs, w.wear);
   step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, s.cell, s.pairs, s.particles, w.wear);
   step.phase_when(w.wear.worn, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.wear, s.pairs, s.particles, w.draft);
   step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
@@ -40,7 +40,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.rows, "rows");
   step.name(s.history, "history");
   step.name(s.image, "image");
-  step.name(w.top_speed, "top speed");
+  step.name(w.longest_way, "longest way");
   step.name(w.wear, "wear");
   step.name(w.draft, "draft of the list");
   return step;

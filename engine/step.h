@@ -9,7 +9,7 @@ namespace furnas {
 
 /// What the phases hand to each other within a step.
 struct StepWork {
-  TopSpeed top_speed;
+  LongestWay longest_way;
   Wear wear;
   ListDraft draft;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "engine/base/vec3.h"
 #include "io/atomic_file.h"

@@ -1,26 +1,18 @@
 #include "io/vtk_arrays.h"
 
-#include <fmt/format.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkLogger.h>
-#include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 
-#include "engine/base/require.h"
 #include "io/atomic_file.h"
-#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -30,18 +22,20 @@ static_assert(sizeof(Vec3<double>) == 3 * sizeof(double), "vectors are shown to 
 /// Keeps what VTK complains about instead of printing it.
 class MessageWindow : public vtkOutputWindow {
  public:
-  static MessageWindow* New();
+  static MessageWindow* New() {
+    auto* window = new MessageWindow;
+    window->InitializeObjectBase();
+    return window;
+  }
   void DisplayText(const char* text) override { text_ += text; }
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
 };
-vtkStandardNewMacro(MessageWindow)
-
-    /// While it lives, VTK's messages are kept. VTK knows one window for all threads, so files are read and
-    /// written by one thread at a time.
-    class Messages {
+/// While it lives, VTK's messages are kept. VTK knows one window for all threads, so files are written by one
+/// thread at a time.
+class Messages {
  public:
   Messages() {
     vtkOutputWindow::SetInstance(window_);
@@ -53,8 +47,6 @@ vtkStandardNewMacro(MessageWindow)
   }
   Messages(const Messages&) = delete;
   Messages& operator=(const Messages&) = delete;
-
-  bool any() const { return !window_->text().empty(); }
 
   /// The last line that says something, without VTK's class and address.
   std::string gist() const {
@@ -93,28 +85,6 @@ vtkSmartPointer<vtkDataArray> copy_numbers(const char* name, const std::vector<T
   return array;
 }
 
-/// More bytes than a file can hold: zlib shrinks data at most 1032 times.
-std::uint64_t most_bytes(std::uint64_t file_size) { return file_size * 1032; }
-
-/// VTK allocates the arrays that a file announces before it looks for them; none may be too long to be there.
-void check_announced_lengths(const std::filesystem::path& path, std::uint64_t size) {
-  constexpr std::size_t most_header = std::size_t{1} << 20;
-  std::string header(static_cast<std::size_t>(std::min<std::uint64_t>(size, most_header)), '\0');
-  std::ifstream(path, std::ios::binary).read(header.data(), static_cast<std::streamsize>(header.size()));
-  for (const std::string_view key :
-       {"NumberOfTuples=\"", "NumberOfComponents=\"", "NumberOfPoints=\"", "NumberOfVerts=\"",
-        "NumberOfLines=\"", "NumberOfStrips=\"", "NumberOfPolys=\""}) {
-    for (auto at = header.find(key); at != std::string::npos; at = header.find(key, at + 1)) {
-      std::uint64_t length = 0;
-      const char* begin = header.data() + at + key.size();
-      const auto [end, error] = std::from_chars(begin, header.data() + header.size(), length);
-      if (error != std::errc{} || length > most_bytes(size))
-        throw InputError(fmt::format("{}: {}... is more than a file of {} bytes can hold, or no number",
-                                     path.string(), key, size));
-    }
-  }
-}
-
 }  // namespace
 
 vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<double>& values) {
@@ -148,17 +118,6 @@ vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::int6
   return copy_numbers<vtkTypeInt64Array>(name, values, 1);
 }
 
-vtkDataArray* find_array(vtkFieldData* from, const char* name, std::int64_t tuples, int components,
-                         const std::string& file) {
-  vtkDataArray* array = from->GetArray(name);
-  if (!array) return nullptr;
-  if (array->GetNumberOfTuples() != tuples || array->GetNumberOfComponents() != components)
-    throw InputError(fmt::format("{}: the array {} has {} times {} numbers; expected {} times {}", file, name,
-                                 array->GetNumberOfTuples(), array->GetNumberOfComponents(), tuples,
-                                 components));
-  return array;
-}
-
 void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
   AtomicFile file(path);
   const Messages messages;
@@ -169,27 +128,9 @@ void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   writer->SetHeaderTypeToUInt64();
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0 || messages.any())
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0)
     throw OutputError(path.string() + ": cannot write the file: " + messages.gist());
   file.commit();
-}
-
-vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& path) {
-  const std::uint64_t size = readable_size(path);
-  check_announced_lengths(path, size);
-  const Messages messages;
-  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-  const auto fail = [&](const std::string& what) {
-    throw InputError(path.string() + ": not a readable VTK XML file of poly data: " + what);
-  };
-  try {
-    reader->SetFileName(path.c_str());
-    reader->Update();
-  } catch (const std::exception& error) {  // a damaged length inside the data
-    fail(error.what());
-  }
-  if (reader->GetErrorCode() != 0 || messages.any() || !reader->GetOutput()) fail(messages.gist());
-  return reader->GetOutput();
 }
 
 }  // namespace furnas

@@ -4,13 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "engine/base/vec3.h"
 
 class vtkDataArray;
-class vtkFieldData;
 class vtkPoints;
 class vtkPolyData;
 
@@ -27,15 +25,7 @@ vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::int3
                                    int components = 1);
 vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::int64_t>& values);
 
-/// The array of this name, or nothing if there is none; throws InputError unless it has `tuples` times
-/// `components` numbers.
-vtkDataArray* find_array(vtkFieldData* from, const char* name, std::int64_t tuples, int components,
-                         const std::string& file);
-
 /// Writes a VTK XML file of raw appended data, compressed with zlib; throws OutputError.
 void write_poly_data(vtkPolyData* data, const std::filesystem::path& path);
-
-/// Reads a VTK XML file of poly data; throws InputError.
-vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& path);
 
 }  // namespace furnas

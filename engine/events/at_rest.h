@@ -16,6 +16,7 @@ struct RestCriteria {
   double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
   double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
   double strain_drift = 1e-6;         ///< of the cell, per 1e5 steps
+  double largest_overlap = 0.5;       ///< of the smaller radius; beyond, the law means nothing
   std::int64_t window = 10'000;       ///< [steps]
 };
 
@@ -25,7 +26,7 @@ struct RestReport {
   double stress_error{};
   double force_imbalance{};
   double kinetic_energy{};  ///< [k_n d_s^2]
-  double strain_drift{};    ///< per 1e5 steps; infinite until the window is full
+  double strain_drift{};    ///< per 1e5 steps, over one window or ten; infinite until one is full
   bool resting{};           ///< all held at every look of the window
   bool loosely{};           ///< resting, but with the loose limit of the force balance
   std::string waiting_for;  ///< the criterion that is furthest from its limit; empty when resting
@@ -58,6 +59,7 @@ class RestWatch {
     bool holds;
     bool holds_loosely;
   };
+  double drift_over(std::int64_t count) const;
   bool all_hold(bool Look::*holds, std::int64_t count) const;
   std::string furthest() const;
 

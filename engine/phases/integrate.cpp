@@ -8,7 +8,6 @@ namespace furnas {
 namespace {
 
 constexpr std::size_t chunk = 256;
-constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
 
 /// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
 /// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal.
@@ -36,9 +35,8 @@ class CellDrag {
 
 template <class R, bool spins>
 void half_kick(Particle<R, spins>& p, const Load<R, spins>& load, R half_step) {
-  p.velocity += (half_step / p.mass) * load.force;
-  if constexpr (spins)
-    p.spin += (half_step / (R(sphere_inertia) * p.mass * p.radius * p.radius)) * load.torque;
+  p.velocity += (half_step * p.inverse_mass) * load.force;
+  if constexpr (spins) p.spin += (half_step * p.inverse_inertia) * load.torque;
 }
 
 template <class R, bool spins>
@@ -61,14 +59,14 @@ template <class Scene>
 void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
-                    TopSpeed& top_speed) {
+                    LongestWay& longest_way) {
   using Real = typename Scene::Real;
   const CellDrag drag(cell.rate, particles.size(), time_step);
   const Triangle to_fraction_step = inverse(cell.edges);
-  top_speed.assign(pairs.classes.size(), 0);
+  longest_way.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
-    std::vector<double> fastest((group.last - group.first + chunk - 1) / chunk);
+    std::vector<double> longest((group.last - group.first + chunk - 1) / chunk);
     for_chunks(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end, std::size_t piece) {
       double top = 0;
       for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
@@ -76,13 +74,15 @@ void kick_and_drift(const double& time_step, const Cell& cell, const PairList& p
         p.velocity = drag(p.velocity);
         half_kick(p, loads[i], Real(0.5 * time_step));
         const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-        const Fraction moved = to_fraction(to_fraction_step * (v * time_step));
+        const Vec3<double> s = to_fraction_step * (v * time_step);
+        const Fraction moved = to_fraction(s);
         p.position = {p.position.x + moved.x, p.position.y + moved.y, p.position.z + moved.z};
-        top = std::max(top, dot(v, v));
+        const Vec3<double> way = pairs.edges * s;
+        top = std::max(top, dot(way, way));
       }
-      fastest[piece] = top;
+      longest[piece] = top;
     });
-    for (double top : fastest) top_speed[c] = std::max(top_speed[c], top);
+    for (double top : longest) longest_way[c] = std::max(longest_way[c], top);
   }
 }
 
@@ -108,7 +108,7 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
       half_kick(p, loads[i], Real(0.5 * time_step));
       p.velocity = drag(p.velocity);
       const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-      const double m = p.mass;
+      const double m = 1 / static_cast<double>(p.inverse_mass);
       part += {m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, m * v.y * v.z, m * v.x * v.z, m * v.x * v.y};
     }
     return part;
@@ -116,12 +116,12 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law)                                                                            \
-  template void kick_and_drift<Scene<Law, double>>(const double&, const Cell&, const PairList&,            \
-                                                   const std::vector<Load<double, Law::spins>>&,           \
-                                                   std::vector<Particle<double, Law::spins>>&, TopSpeed&); \
-  template void gather_and_kick<Scene<Law, double>>(                                                       \
-      const double&, const Cell&, const PairList&, const std::vector<Row<double, Law::spins>>&,            \
+#define FURNAS_INSTANTIATE(Law)                                                                              \
+  template void kick_and_drift<Scene<Law, double>>(const double&, const Cell&, const PairList&,              \
+                                                   const std::vector<Load<double, Law::spins>>&,             \
+                                                   std::vector<Particle<double, Law::spins>>&, LongestWay&); \
+  template void gather_and_kick<Scene<Law, double>>(                                                         \
+      const double&, const Cell&, const PairList&, const std::vector<Row<double, Law::spins>>&,              \
       std::vector<Load<double, Law::spins>>&, std::vector<Particle<double, Law::spins>>&, Eigen::Matrix3d&);
 FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE

@@ -7,15 +7,16 @@
 
 namespace furnas {
 
-/// Fastest particle of each size class in this step, squared [d_s^2/time^2].
-using TopSpeed = std::vector<double>;
+/// Longest way of a particle of each size class in this step, the affine part apart, measured in the cell
+/// as it was when the list was built; squared [d_s^2].
+using LongestWay = std::vector<double>;
 
 /// First half of the step for the particles: cell's drag on peculiar velocities, half a kick, drift.
 template <class Scene>
 void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
-                    TopSpeed& top_speed);
+                    LongestWay& longest_way);
 
 /// Second half: the sum over the contacts of each particle, in an order that no thread changes, then
 /// half a kick and the cell's drag. `motion` becomes the kinetic part of the stress, times the volume.

@@ -9,13 +9,9 @@
 
 namespace furnas {
 
-void watch_wear(const double& time_step, const TopSpeed& top_speed, const Cell& cell, const PairList& pairs,
-                Wear& wear) {
-  const double strain = shrinkage_bound(cell.edges, pairs.edges);
-  for (std::size_t c = 0; c < top_speed.size(); ++c)
-    // Ways are measured in today's cell; what was travelled in a smaller one may have grown with it.
-    wear.travelled[c] += std::sqrt(top_speed[c]) * time_step * (1 + 2 * strain);
-  wear.suspect = !list_is_complete(pairs, wear.travelled, strain);
+void watch_wear(const LongestWay& longest_way, const Cell& cell, const PairList& pairs, Wear& wear) {
+  for (std::size_t c = 0; c < longest_way.size(); ++c) wear.travelled[c] += std::sqrt(longest_way[c]);
+  wear.suspect = !list_is_complete(pairs, wear.travelled, shrinkage_bound(cell.edges, pairs.edges));
 }
 
 template <class Scene>
@@ -32,7 +28,7 @@ void measure_wear(const Cell& cell, const PairList& pairs,
           Furthest piece;
           for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
             const Vec3<double> way =
-                cell.edges * nearest_difference(particles[i].position, pairs.reference[i]);
+                pairs.edges * nearest_difference(particles[i].position, pairs.reference[i]);
             piece += {dot(way, way)};
           }
           return piece;

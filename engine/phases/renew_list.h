@@ -18,9 +18,8 @@ struct ListDraft {
   PairList fresh;
 };
 
-/// Adds the fastest particles' way to the wear and says whether it must be measured.
-void watch_wear(const double& time_step, const TopSpeed& top_speed, const Cell& cell, const PairList& pairs,
-                Wear& wear);
+/// Adds the longest ways of this step to the wear and says whether it must be measured.
+void watch_wear(const LongestWay& longest_way, const Cell& cell, const PairList& pairs, Wear& wear);
 
 /// Measures how far particles have really moved since the list was built.
 template <class Scene>

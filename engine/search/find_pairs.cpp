@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t chunk = 512;
 
+/// Places in the cell are rounded to 2^-53 of it here, contacts are not: bins and reach are this much wider.
+constexpr double hair = 1e-9;
+
 /// Integer division that rounds down.
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return (a >= 0 ? a : a - b + 1) / b; }
 
@@ -115,7 +118,7 @@ std::vector<Bins> bin_classes(const std::vector<SizeClass>& classes, const Skin&
   std::vector<Bins> bins;
   for (const SizeClass& c : classes) {
     const double radii = 2 * c.largest_radius;
-    bins.push_back(sort_into_bins(edges, radii + skin(radii), positions, c.first, c.last));
+    bins.push_back(sort_into_bins(edges, (1 + hair) * (radii + skin(radii)), positions, c.first, c.last));
   }
   return bins;
 }
@@ -144,7 +147,7 @@ void find_pairs(const std::vector<Bins>& bins, const Triangle& edges, const std:
           const Vec3<double> difference = me.fraction - other.fraction - image;
           const Vec3<double> branch = edges * difference;
           const double sum = radii[me.index] + radii[other.index];
-          const double reach = (sum + list.skin(sum)) * (1 + 1e-12);  // never lost to rounding
+          const double reach = (1 + hair) * (sum + list.skin(sum));
           if (dot(branch, branch) < reach * reach)
             piece.found.push_back({other.index, difference, images ? quarters_of(difference) : Quarter{}});
         };

@@ -14,6 +14,16 @@ std::array<std::int8_t, 3> image_of_row(const PairList& list, std::uint64_t k, c
   return {whole(cells.x), whole(cells.y), whole(cells.z)};
 }
 
+std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& image, const Fraction& i,
+                                             const Fraction& j) {
+  // A difference of half a cell is its own opposite: both nearest images are the same one.
+  const auto component = [](std::int8_t cells, std::uint64_t difference) {
+    const bool half = difference == std::uint64_t{1} << 63;
+    return static_cast<std::int8_t>((half ? 1 : 0) - cells);
+  };
+  return {component(image[0], i.x - j.x), component(image[1], i.y - j.y), component(image[2], i.z - j.z)};
+}
+
 std::vector<Vec3<double>> merged_history(const PairList& old, const std::vector<Vec3<double>>& old_history,
                                          const PairList& fresh, const std::vector<Fraction>& positions) {
   std::vector<Vec3<double>> history(fresh.rows());

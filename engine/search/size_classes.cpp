@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "engine/base/require.h"
+
 namespace furnas {
 namespace {
 
@@ -49,6 +51,7 @@ std::vector<SizeClass> size_classes(const std::vector<double>& radii_in_order) {
   for (std::size_t i = 0; i < radii_in_order.size(); ++i) {
     const std::size_t c = class_of(radii_in_order[i], bounds);
     if (c == classes.size()) classes.push_back({i, i, radii_in_order[i], radii_in_order[i]});
+    require(c + 1 == classes.size(), "particles are in order of their size class");
     SizeClass& group = classes.back();
     group.last = i + 1;
     group.smallest_radius = std::min(group.smallest_radius, radii_in_order[i]);

@@ -9,13 +9,15 @@ namespace furnas {
 
 /// How far the packing has moved since the list was built.
 struct Wear {
-  std::vector<double> travelled;  ///< no particle of the class has moved further, the affine part apart [d_s]
-  bool suspect{};                 ///< the bounds above no longer prove the list complete: measure
-  bool worn{};                    ///< a contact outside the list is possible: build a new one
+  /// No particle of the class has moved further: the affine part apart, in the cell of the list [d_s].
+  std::vector<double> travelled;
+  bool suspect{};  ///< the bounds above no longer prove the list complete: measure
+  bool worn{};     ///< a contact outside the list is possible: build a new one
 };
 
-/// Whether every pair that touches must still be in the list: for each pair of classes,
-/// u_i + u_j + e (R_i + R_j + skin) <= skin, e = 1 - (smallest stretch of the cell since the build).
+/// Whether every pair that touches must still be in the list, and every row still mean the image it was
+/// listed for. For each pair of classes, two that were R_i + R_j + skin apart are now at least
+/// (1 - e) (R_i + R_j + skin - u_i - u_j) apart, with e the shrinkage of the cell since the build.
 bool list_is_complete(const PairList& list, const std::vector<double>& travelled, double shrinkage);
 
 /// 1 - the smallest singular value of F = edges_now edges_then^-1: no distance that moves with the cell

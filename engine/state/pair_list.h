@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,14 +46,14 @@ struct PairList {
   std::size_t rows() const { return partner.size(); }
 };
 
-/// s_i - s_j of the image that a row means.
+/// s_i - s_j of the image that a row means: the nearest difference and whole cells. Which quarter was
+/// nearest when the list was built leaves no trace in the bits.
 inline Vec3<double> row_difference(const Fraction& i, const Fraction& j, const Quarter& q) {
-  constexpr int quarter_bits = 62;
-  const auto component = [](std::uint64_t difference, std::int8_t quarters) {
-    const auto shift = static_cast<std::uint64_t>(static_cast<std::int64_t>(quarters)) << quarter_bits;
-    return 0.25 * quarters + from_fixed(difference - shift);
+  const auto component = [](double nearest, std::int8_t quarters) {
+    return nearest + std::nearbyint(0.25 * quarters - nearest);
   };
-  return {component(i.x - j.x, q[0]), component(i.y - j.y, q[1]), component(i.z - j.z, q[2])};
+  const Vec3<double> d = nearest_difference(i, j);
+  return {component(d.x, q[0]), component(d.y, q[1]), component(d.z, q[2])};
 }
 
 }  // namespace furnas

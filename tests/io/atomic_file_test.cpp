@@ -1,9 +1,5 @@
 #include "io/atomic_file.h"
 
-#include <sys/resource.h>
-
-#include <csignal>
-
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -44,15 +40,10 @@ TEST(AtomicFile, NamesWhatCannotBeWritten) {
 TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
   const TemporaryFolder folder;
   write_file(folder / "a.txt", "old");
-  struct rlimit before {};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  struct rlimit little = before;
-  little.rlim_cur = 100'000;
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &little), 0);
-  EXPECT_THROW(write_file(folder / "a.txt", std::string(200'000, 'a')), OutputError);
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
-  std::signal(SIGXFSZ, handler);
+  {
+    const FullDisk full(100'000);
+    EXPECT_THROW(write_file(folder / "a.txt", std::string(200'000, 'a')), OutputError);
+  }
   EXPECT_EQ(content(folder / "a.txt"), "old");
   EXPECT_EQ(folder.files(), 1u);
 }

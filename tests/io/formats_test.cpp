@@ -30,6 +30,21 @@ TEST(Formats, ACheckpointIsAPackingToo) {
   expect_same_packing(p, read_packing(folder / "a"), 1e-300);
 }
 
+TEST(Formats, AFullDiskLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  const Packing p = random_packing(3, 5000);
+  for (const Format& format : formats()) {
+    if (!format.write) continue;
+    write_file(folder / "a", "old");
+    {
+      const FullDisk full(50'000);
+      EXPECT_THROW(format.write(p, folder / "a"), OutputError) << format.name;
+    }
+    EXPECT_EQ(content(folder / "a"), "old") << format.name;
+    EXPECT_EQ(folder.files(), 1u) << format.name;
+  }
+}
+
 TEST(Formats, ReadsTheReferenceFiles) {
   EXPECT_EQ(read_packing(test_data("a3.data")).size(), 320u);
   EXPECT_EQ(read_packing(test_data("a3.nph.mu0.3.dump")).step, 200);

@@ -4,13 +4,22 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
 
-#include "io/vtk_arrays.h"
 #include "io/vtp_reader.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
 namespace {
+
+/// What VTK itself, and so ParaView, finds in a file.
+vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& path) {
+  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
 
 TEST(VtkXml, ParticlesRoundTrip) {
   const TemporaryFolder folder;
@@ -108,7 +117,7 @@ TEST(VtkXml, HugeLengthsAllocateNothing) {
   const TemporaryFolder folder;
   write_vtp(random_packing(5), folder / "a.vtp");
   const std::string bytes = content(folder / "a.vtp");
-  for (const std::string key : {"NumberOfPoints=\"40", "NumberOfTuples=\"1", "NumberOfVerts=\"40"}) {
+  for (const std::string key : {"NumberOfPoints=\"40", "offset=\"1"}) {
     std::string changed = bytes;
     const std::size_t at = changed.find(key);
     ASSERT_NE(at, std::string::npos) << key;
@@ -121,7 +130,7 @@ TEST(VtkXml, HugeLengthsAllocateNothing) {
 TEST(VtkXml, SurvivesBeingCut) {
   const TemporaryFolder folder;
   write_vtp(random_packing(6), folder / "a.vtp");
-  expect_no_crash_when_cut(content(folder / "a.vtp"), folder / "b.vtp", read_vtp, 41);
+  expect_no_crash_when_cut(content(folder / "a.vtp"), folder / "b.vtp", read_vtp, 7);
 }
 
 TEST(VtkXml, NamesAFileThatCannotBeWritten) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/engine/scenes.h"
+
+namespace furnas {
+
+/// What became of two spheres that met.
+struct Bounce {
+  Packing end;               ///< after the contact has opened; particle 0 is i
+  Vec3<double> approach;     ///< v_i - v_j at the end
+  int steps{};               ///< at whose end the two overlapped
+  double largest_overlap{};  ///< [d_s]
+  int step_of_largest{};     ///< counted like `steps`
+};
+
+/// Sets i beside j along x so that their surfaces meet after one step and the share `phase` of the next,
+/// and lets them collide. Positions in the balls are ignored. At most `most_steps` are taken.
+Bounce bounce(const Model& model, Ball i, Ball j, double phase, int most_steps = 100000);
+
+/// A step, and the share of it after which the spheres meet.
+struct Phase {
+  double time_step, entry;
+};
+
+inline constexpr int phase_count = 127;
+
+/// Steps near `step` and phases of the entry. Errors of a collision depend on the shares of a step after
+/// which the spheres meet and part, so the step is varied until duration/step has run through a whole number.
+/// The points form a lattice; they are a prime, so entry, exit and their sum take each value once.
+std::vector<Phase> phases_of_a_collision(double duration, double step);
+
+}  // namespace furnas

@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/engine/laws/every_law.h"
+#include "tests/engine/scenes.h"
+
+namespace furnas {
+namespace {
+
+using V = Vec3<double>;
+
+template <class Law>
+class History : public testing::Test {};
+TYPED_TEST_SUITE(History, EveryFrictionLaw, LawName);
+
+constexpr double no_sliding = 1e30;
+constexpr double time_step = 0.01;
+
+/// Two small spheres at rest that overlap along x.
+Touch<double> touch_at_rest(double overlap) {
+  Touch<double> t{};
+  t.distance = 1 - overlap;
+  t.branch = {t.distance, 0, 0};
+  t.overlap = overlap;
+  t.radius_i = t.radius_j = 0.5;
+  t.reduced_mass = reduced_mass(0.5, 0.5);
+  t.time_step = time_step;
+  return t;
+}
+
+/// A step in which the pair turns rigidly about z by `angle`, as step n of that turn: no surface slips. A
+/// rigid turn in finite steps has the spin 2 tan(angle/2)/dt against the chord seen in the middle of the
+/// step, and sin(angle)/dt against the chord seen with the normal of its end.
+Touch<double> rigid_turn(bool synchronized, double angle, int n) {
+  const double overlap = synchronized ? 0.01 : 0;
+  Touch<double> t = touch_at_rest(overlap);
+  const auto branch = [&](double a) { return V{t.distance * std::cos(a), t.distance * std::sin(a), 0}; };
+  t.branch = branch(n * angle);
+  t.drift = (t.branch - branch((n - 1) * angle)) * (1 / time_step);
+  t.midway.velocity = t.drift;
+  const double spin = (synchronized ? 2 * std::tan(angle / 2) : std::sin(angle)) / time_step;
+  t.midway.spin_i = t.midway.spin_j = {0, 0, spin};
+  return t;
+}
+
+// T13: ten rigid turns about an axis across the normal: the history turns with the pair and keeps its length.
+// Projection alone (legacy) multiplies its part in the plane of the turn with cos(angle) each step.
+TYPED_TEST(History, TurnsWithThePair) {
+  const TypeParam law{{.tangential_damping = 0, .friction = no_sliding}};
+  constexpr int turns = 10;
+  for (int steps_a_turn : {63, 628}) {
+    const double angle = 2 * std::numbers::pi / steps_a_turn;
+    V xi{0, 3e-3, 4e-3};
+    for (int n = 1; n <= turns * steps_a_turn; ++n) law(rigid_turn(TypeParam::synchronized, angle, n), xi);
+    const double kept = TypeParam::synchronized ? 1 : std::pow(std::cos(angle), turns * steps_a_turn);
+    EXPECT_LT(norm(xi - V{0, 3e-3 * kept, 4e-3}), 1e-10 * 5e-3) << steps_a_turn;
+  }
+}
+
+// T14: both spheres spin about the normal: the history turns by the integral of n (w_i + w_j)/2 and keeps its
+// length; with the angle d of a step the law turns by 2 atan(d/2), exact to second order. Legacy does not
+// turn it.
+TYPED_TEST(History, TwistsWithThePair) {
+  const TypeParam law{{.tangential_damping = 0, .friction = no_sliding}};
+  for (double angle : {0.1, 0.01}) {
+    constexpr int steps = 1000;
+    Touch<double> t = touch_at_rest(0.01);
+    t.midway.spin_i = {1.5 * angle / time_step, 0, 0};
+    t.midway.spin_j = {0.5 * angle / time_step, 0, 0};
+    V xi{0, 1e-3, 0};
+    for (int n = 0; n < steps; ++n) law(t, xi);
+    const double turned = TypeParam::synchronized ? steps * 2 * std::atan(angle / 2) : 0;
+    EXPECT_LT(norm(xi - V{0, 1e-3 * std::cos(turned), 1e-3 * std::sin(turned)}), 1e-10 * 1e-3);
+    EXPECT_NEAR(2 * std::atan(angle / 2), angle, angle * angle * angle / 11.9);
+  }
+}
+
+// T16: F_n constant, the surfaces displaced through the threshold and back: |F_t| = min(k_t |x|, mu F_n)
+// without a jump, slope k_t after the reversal, no slipping and sticking to and fro.
+TYPED_TEST(History, SticksSlipsAndReversesOnce) {
+  constexpr double friction = 0.5;
+  constexpr double overlap = 0.01;
+  constexpr double increment = 1e-4;
+  constexpr double limit = friction * overlap;
+  const TypeParam law{{.normal_damping = 0, .tangential_damping = 0, .friction = friction}};
+  Touch<double> t = touch_at_rest(overlap);
+  const double arm = TypeParam::synchronized ? 0.5 - overlap / 2 : 0.5;
+  V xi;
+  double force = 0;
+  int toggles = 0;
+  bool slipping = false;
+  for (int n = 0; n < 300; ++n) {
+    const double displacement = n < 100 ? increment : -increment;
+    // A spin of i about z moves its surface at the contact along -y.
+    t.midway.spin_i = {0, 0, -displacement / (arm * time_step)};
+    const Reaction<double> r = law(t, xi);
+    EXPECT_NEAR(r.force.x, overlap, 1e-15);
+    EXPECT_LE(std::hypot(r.force.y, r.force.z), limit * (1 + 4e-16));
+    const double expected = std::clamp(force - displacement, -limit, limit);
+    EXPECT_NEAR(r.force.y, expected, 1e-15);
+    force = r.force.y;
+    const bool slips = std::abs(force) > limit * (1 - 1e-9);
+    toggles += slips != slipping;
+    slipping = slips;
+  }
+  EXPECT_EQ(toggles, 3);  // slips, sticks at the reversal, slips again
+}
+
+// T16: at the threshold to the last bits: |F_t| never exceeds mu F_n, whichever way the surfaces move.
+TYPED_TEST(History, NeverExceedsCoulombAtTheThreshold) {
+  constexpr double friction = 0.3;
+  constexpr double overlap = 1e-4;
+  const TypeParam law{{.tangential_damping = 0, .friction = friction}};
+  Touch<double> t = touch_at_rest(overlap);
+  V xi{0, -friction * t.overlap, 0};
+  double force = friction * t.overlap;
+  for (int n = 0; n < 1000; ++n) {
+    const double displacement = (n % 2 == 0 ? 1 : -1) * 1e-12 * t.overlap;
+    t.midway.spin_i = {0, 0, displacement / (0.5 * time_step)};
+    const Reaction<double> r = law(t, xi);
+    EXPECT_LE(std::hypot(r.force.y, r.force.z), friction * r.force.x * (1 + 4e-16));
+    EXPECT_NEAR(r.force.y, force, 2e-12 * t.overlap);
+    force = r.force.y;
+  }
+}
+
+// T19: F_n falls while the surfaces rest: |xi| is cut to mu F_n/k_t and does not grow again.
+TYPED_TEST(History, IsCutAsTheNormalForceFalls) {
+  constexpr double friction = 0.4;
+  const TypeParam law{{.normal_damping = 0, .tangential_damping = 0, .friction = friction}};
+  V xi{0, 3e-3, 4e-3};
+  for (double overlap : {0.02, 0.0125, 0.01, 0.005, 0.001, 0.01}) {
+    const double before = norm(xi);
+    law(touch_at_rest(overlap), xi);
+    EXPECT_NEAR(norm(xi), std::min(before, friction * overlap), 1e-17);
+    EXPECT_NEAR(xi.y / xi.z, 0.75, 1e-14);
+  }
+}
+
+// T19: a contact that opens and closes again starts without history.
+TYPED_TEST(History, IsLostWhenTheContactOpens) {
+  const Model model = model_of<TypeParam>({.friction = 0.5});
+  const auto touching = [](double x, double v) {
+    return packing_of(cube(16), {{.position = {x, 8, 8}, .velocity = {v, 0, 0}}, {.position = {8, 8, 8}}});
+  };
+  Packing stuck = after(model, touching(8.99, 0), 1);
+  ASSERT_EQ(stuck.contacts.size(), 1u);
+  stuck.contacts[0].history = {0, 1e-3, 0};
+  const auto simulation = make_simulation(model, stuck);
+  simulation->advance(1);
+  EXPECT_NEAR(norm(simulation->packing().contacts[0].history), 1e-3, 1e-5);
+
+  Packing thrown = simulation->packing();
+  thrown.velocity = {{0.1, 0, 0}, {}};
+  simulation->load(thrown);
+  while (!simulation->packing().contacts.empty()) simulation->advance(1);
+  Packing back = simulation->packing();
+  back.velocity = {{-0.1, 0, 0}, {}};
+  back.spin = {{}, {}};
+  back.fraction[0].y = back.fraction[1].y;  // head-on, so that the new contact has no slip of its own
+  back.fraction[0].z = back.fraction[1].z;
+  simulation->load(back);
+  while (simulation->packing().contacts.empty()) simulation->advance(1);
+  EXPECT_LT(norm(simulation->packing().contacts[0].history), 1e-15);
+}
+
+// T19: a contact that crosses the face of the cell moves as its twin in the middle does, to the bit.
+TYPED_TEST(History, CrossesTheFaceOfTheCell) {
+  const auto run = [](double shift) {
+    const V together{3, -2, 1};
+    const std::vector<Ball> balls{
+        {.position = {7.0 + shift, 9.0 + shift, 8.5 + shift}, .velocity = together, .spin = {0, 0.2, 0.1}},
+        {.position = {8.25 + shift, 8.5 + shift, 8.5 + shift},
+         .velocity = together + V{-0.2, 0.1, 0.05},
+         .radius = 1}};
+    const auto simulation =
+        make_simulation(model_of<TypeParam>({.friction = 0.5}), packing_of(cube(32), balls));
+    std::vector<Packing> states;
+    for (int step = 0; step < 80; ++step) {
+      simulation->advance(1);
+      states.push_back(simulation->packing());
+    }
+    return states;
+  };
+  const auto twin = run(0);
+  for (double shift : {-8.5, 22.0}) {
+    const auto crossing = run(shift);
+    int touching = 0;
+    bool crossed = false;
+    for (std::size_t n = 0; n < twin.size(); ++n) {
+      ASSERT_EQ(crossing[n].velocity, twin[n].velocity) << n;
+      ASSERT_EQ(crossing[n].spin, twin[n].spin) << n;
+      ASSERT_EQ(crossing[n].contacts.size(), twin[n].contacts.size());
+      if (twin[n].contacts.empty()) continue;
+      ++touching;
+      ASSERT_EQ(crossing[n].contacts[0].history, twin[n].contacts[0].history) << n;
+      crossed |= crossing[n].image[0] != crossing[n].image[1];
+    }
+    EXPECT_GT(touching, 20);
+    EXPECT_TRUE(crossed);
+  }
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,46 @@
+#include "tests/engine/phases/crystal.h"
+
+#include <cmath>
+
+namespace furnas {
+namespace {
+
+/// `cells` cubic cells of edge `a` along each axis, with spheres at the `basis` [a].
+Packing cubic_crystal(double a, int cells, const std::vector<Vec3<double>>& basis) {
+  std::vector<Ball> balls;
+  for (int x = 0; x < cells; ++x)
+    for (int y = 0; y < cells; ++y)
+      for (int z = 0; z < cells; ++z)
+        for (const Vec3<double>& b : basis)
+          balls.push_back({.position = a * Vec3<double>{x + b.x, y + b.y, z + b.z}});
+  return packing_of(cube(cells * a), balls);
+}
+
+}  // namespace
+
+Packing simple_cubic(double r, int cells) { return cubic_crystal(r, cells, {{}}); }
+
+Packing face_centred(double r, int cells) {
+  return cubic_crystal(std::sqrt(2) * r, cells, {{0, 0, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}});
+}
+
+Packing face_centred_primitive(double r) {
+  return packing_of({r, std::sqrt(3) / 2 * r, std::sqrt(2.0 / 3) * r, r / (2 * std::sqrt(3)), r / 2, r / 2},
+                    {{}});
+}
+
+Packing reskewed(const Packing& packing, int xy, int xz, int yz) {
+  Packing p = packing;
+  p.cell.edges = product(packing.cell.edges, {1, 1, 1, double(yz), double(xz), double(xy)});
+  // The inverse of the integer matrix, in integers that wrap as the cell does.
+  const auto times = [](int n, std::uint64_t s) { return static_cast<std::uint64_t>(std::int64_t{n}) * s; };
+  for (Fraction& s : p.fraction)
+    s = {s.x - times(xy, s.y) - times(xz - xy * yz, s.z), s.y - times(yz, s.z), s.z};
+  return p;
+}
+
+double contact_pressure(const Packing& p) { return p.stress.contacts.trace() / (3 * p.cell.volume()); }
+
+Packing with_forces(const Model& model, const Packing& packing) { return after(model, packing, 0); }
+
+}  // namespace furnas

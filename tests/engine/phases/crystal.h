@@ -1,0 +1,28 @@
+#pragma once
+
+#include "tests/engine/scenes.h"
+
+namespace furnas {
+
+/// Crystals of small spheres with the distance r of nearest neighbours, r < 1 so that they overlap.
+
+/// Simple cubic, `cells` spheres along each edge.
+Packing simple_cubic(double r, int cells);
+
+/// Face-centred cubic in its cubic cell of 4 spheres, `cells` of them along each edge.
+Packing face_centred(double r, int cells);
+
+/// Face-centred cubic in its smallest cell, one sphere.
+Packing face_centred_primitive(double r);
+
+/// The same lattice of points seen in a skewed cell: b gains `xy` times a, c gains `xz` times a and `yz`
+/// times b.
+Packing reskewed(const Packing& packing, int xy, int xz, int yz);
+
+/// Pressure of the contacts [k_n/d_s].
+double contact_pressure(const Packing& packing);
+
+/// Forces taken from the positions, without a step.
+Packing with_forces(const Model& model, const Packing& packing);
+
+}  // namespace furnas

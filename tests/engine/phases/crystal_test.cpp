@@ -1,0 +1,133 @@
+#include "tests/engine/phases/crystal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/laws/every_law.h"
+
+namespace furnas {
+namespace {
+
+constexpr double k = 1;  // k_n
+
+double pressure_of_simple_cubic(double r) { return k * (1 - r) / (r * r); }
+double pressure_of_face_centred(double r) { return 2 * std::sqrt(2) * k * (1 - r) / (r * r); }
+
+template <class Law>
+class Crystal : public testing::Test {};
+TYPED_TEST_SUITE(Crystal, EveryLaw, LawName);
+
+// T35: simple cubic: p = k delta/r^2, isotropic, from one sphere that touches its own images to 4^3 spheres,
+// and in skewed cells of the same lattice.
+TYPED_TEST(Crystal, PressureOfSimpleCubic) {
+  const Model model = model_of<TypeParam>({.friction = 0.5});
+  constexpr double r = 0.95;
+  std::vector<Packing> crystals;
+  for (int cells : {1, 2, 3, 4}) crystals.push_back(simple_cubic(r, cells));
+  for (int cells : {1, 2, 4})
+    for (int skew : {-1, 1, 2}) crystals.push_back(reskewed(simple_cubic(r, cells), skew, -1, 1));
+  for (const Packing& crystal : crystals) {
+    const Packing p = with_forces(model, crystal);
+    EXPECT_EQ(p.contacts.size(), 3 * p.size());
+    const Eigen::Matrix3d stress = p.stress.contacts / p.cell.volume();
+    EXPECT_LT((stress - pressure_of_simple_cubic(r) * Eigen::Matrix3d::Identity()).norm(),
+              1e-13 * pressure_of_simple_cubic(r))
+        << p.size() << " spheres, tilt " << p.cell.edges.xy;
+    for (const Vec3<double>& f : p.force) EXPECT_LT(norm(f), 1e-14);
+  }
+}
+
+// T35: face-centred cubic: p = 2 sqrt 2 k delta/r^2, isotropic.
+TYPED_TEST(Crystal, PressureOfFaceCentredCubic) {
+  const Model model = model_of<TypeParam>({.friction = 0.5});
+  constexpr double r = 0.95;
+  std::vector<Packing> crystals{face_centred_primitive(r)};
+  for (int cells : {1, 2, 3, 4}) crystals.push_back(face_centred(r, cells));
+  crystals.push_back(reskewed(face_centred_primitive(r), 1, -1, 1));
+  crystals.push_back(reskewed(face_centred(r, 2), -1, 1, 1));
+  for (const Packing& crystal : crystals) {
+    const Packing p = with_forces(model, crystal);
+    EXPECT_EQ(p.contacts.size(), 6 * p.size());
+    const Eigen::Matrix3d stress = p.stress.contacts / p.cell.volume();
+    EXPECT_LT((stress - pressure_of_face_centred(r) * Eigen::Matrix3d::Identity()).norm(),
+              1e-13 * pressure_of_face_centred(r))
+        << p.size() << " spheres, tilt " << p.cell.edges.xy;
+    for (const Vec3<double>& f : p.force) EXPECT_LT(norm(f), 1e-14);
+  }
+}
+
+// T35: bulk modulus -V dp/dV: simple cubic k/(3r) + 2 k delta/(3 r^2), face-centred (2 sqrt 2/3) (k/r + 2 k
+// delta/r^2). The difference quotient is of fourth order; rounding over its step leaves 1e-10.
+TYPED_TEST(Crystal, BulkModulus) {
+  const Model model = model_of<TypeParam>({.friction = 0.5});
+  constexpr double r = 0.95;
+  constexpr double h = 1e-3;
+  const auto modulus = [&](auto&& crystal) {
+    const auto p = [&](double x) { return contact_pressure(with_forces(model, crystal(r * (1 + x)))); };
+    return -(8 * (p(h) - p(-h)) - (p(2 * h) - p(-2 * h))) / (12 * h) / 3;
+  };
+  const double delta = 1 - r;
+  EXPECT_NEAR(modulus([](double x) { return simple_cubic(x, 1); }), k / (3 * r) + 2 * k * delta / (3 * r * r),
+              1e-10);
+  EXPECT_NEAR(modulus([](double x) { return face_centred_primitive(x); }),
+              2 * std::sqrt(2) / 3 * (k / r + 2 * k * delta / (r * r)), 1e-10);
+}
+
+/// Change of the stress per strain after a small steady deformation of a crystal whose contacts never slide;
+/// its particles turn with the mean rotation, as symmetry asks.
+template <class Law>
+Eigen::Matrix3d stiffness(const Packing& crystal, double tangential_stiffness, const Triangle& strain) {
+  Model model = model_of<Law>({.tangential_stiffness = tangential_stiffness,
+                               .normal_damping = 0,
+                               .tangential_damping = 0,
+                               .friction = 1e30});
+  model.barostat = {.freedom = CellFreedom::triclinic, .pressure = 0, .inertia = 1e300};
+  model.affine_velocity = true;
+  constexpr int steps = 100;
+  constexpr double size = 1e-7;
+  const double rate = size / (steps * model.time_step);
+  Packing p = with_forces(model, crystal);
+  const Eigen::Matrix3d before = p.stress.contacts / p.cell.volume();
+  p.cell.rate = {rate * strain.xx, rate * strain.yy, rate * strain.zz,
+                 rate * strain.yz, rate * strain.xz, rate * strain.xy};
+  for (auto& spin : p.spin) spin = (rate / 2) * Vec3<double>{-strain.yz, strain.xz, -strain.xy};
+  p = after(model, p, steps);
+  return (p.stress.contacts / p.cell.volume() - before) / size;
+}
+
+template <class Law>
+class Elasticity : public testing::Test {};
+TYPED_TEST_SUITE(Elasticity, EveryFrictionLaw, LawName);
+
+// T36: face-centred cubic with stuck contacts, delta -> 0: C11 = sqrt 2 (k_n + k_t)/r,
+// C12 = sqrt 2 (k_n - k_t)/(2 r), C44 = sqrt 2 (k_n + k_t)/(2 r).
+TYPED_TEST(Elasticity, OfFaceCentredCubicReachesTheTangentialSprings) {
+  constexpr double r = 1 - 1e-4;
+  for (double kt : {1.0, 0.5})
+    for (int cells : {1, 2}) {
+      const Packing crystal = face_centred(r, cells);
+      const double c11 = std::sqrt(2) * (1 + kt) / r;
+      const double c12 = std::sqrt(2) * (1 - kt) / (2 * r);
+      const double c44 = std::sqrt(2) * (1 + kt) / (2 * r);
+      // Pressure counts positive, so stresses fall as strains grow.
+      const Eigen::Matrix3d stretched = -stiffness<TypeParam>(crystal, kt, {1, 0, 0, 0, 0, 0});
+      printf("T36 c11 %g c12 %g %g\n", stretched(0, 0) / c11 - 1, stretched(1, 1) - c12,
+             stretched(2, 2) - c12);
+      EXPECT_NEAR(stretched(0, 0) / c11, 1, 1e-3);
+      EXPECT_NEAR(stretched(1, 1), c12, 1e-3);
+      EXPECT_NEAR(stretched(2, 2), c12, 1e-3);
+      const Triangle shears[] = {{0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}};
+      const int row[] = {1, 0, 0};
+      const int column[] = {2, 2, 1};
+      for (int n = 0; n < 3; ++n) {
+        const Eigen::Matrix3d sheared = -stiffness<TypeParam>(crystal, kt, shears[n]);
+        printf("T36 c44 %g %g\n", sheared(row[n], column[n]) / c44 - 1, sheared(column[n], row[n]) / c44 - 1);
+        EXPECT_NEAR(sheared(row[n], column[n]) / c44, 1, 1e-3);
+        EXPECT_NEAR(sheared(column[n], row[n]) / c44, 1, 1e-3);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,58 @@
+#include "engine/phases/renew_list.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/support/brute_force.h"
+#include "tests/engine/support/compaction.h"
+#include "tests/engine/support/property.h"
+#include "tests/engine/support/random_packing.h"
+
+namespace furnas {
+namespace {
+
+/// Contacts of the packing now that the list does not know, or knows and should not.
+std::size_t wrong_contacts(const Packing& p) {
+  auto expected = test::brute_pairs(p, 0);
+  std::size_t wrong = 0;
+  for (const Contact& c : p.contacts) {
+    const bool known = expected.erase(test::name_of(p, c)) == 1;
+    wrong += !known && c.overlap > 1e-13 * (p.radius[c.i] + p.radius[c.j]);
+  }
+  for (const auto& [name, touch] : expected)
+    wrong += p.radius[name.i] + p.radius[name.j] - touch.distance > 1e-13L * touch.distance;
+  return wrong;
+}
+
+// The whole chain of watching, measuring and building, in hot gases under violent strain.
+TEST(RenewList, HasEveryContactInEveryStep) {
+  EXPECT_TRUE(test::holds(60, [] {
+    test::Dice dice(test::any_seed());
+    test::RandomPacking wanted;
+    wanted.size_ratio = *rc::gen::element(1, 3, 10);
+    wanted.large = *rc::gen::inRange<std::size_t>(1, 3);
+    wanted.small = *rc::gen::inRange<std::size_t>(1, 40);
+    wanted.cell = wanted.size_ratio * dice.between(0.8, 6);
+    wanted.speed = dice.between(0, 2);
+    Packing start = test::random_packing(dice, wanted);
+    const double strain = dice.between(0, 0.2);
+    const auto rate = [&] { return dice.between(-strain, strain); };
+    start.cell.rate = {rate(), rate(), rate(), rate(), rate(), rate()};
+    Model model = test::hasty_model(dice.chance(0.5) ? 0.3 : 0);
+    model.barostat.inertia = 1e4 * wanted.size_ratio * wanted.size_ratio;
+    if (dice.chance(0.5)) model.skin = dice.between(0, 1);
+    const auto simulation = make_simulation(model, start);
+    for (int step = 0; step < 150 && simulation->cell().volume() > 0.3 * start.cell.volume(); ++step) {
+      simulation->advance(1);
+      RC_ASSERT(wrong_contacts(simulation->packing()) == 0u);
+    }
+  }));
+}
+
+TEST(RenewList, RebuildsRarelyWhenLittleMoves) {
+  const auto simulation = make_simulation(test::hasty_model(0), test::hasty_gas());
+  simulation->advance(700);
+  EXPECT_LT(simulation->builds(), 100);
+}
+
+}  // namespace
+}  // namespace furnas

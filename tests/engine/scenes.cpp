@@ -1,0 +1,95 @@
+#include "tests/engine/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/start/mixture.h"
+
+namespace furnas {
+
+Packing packing_of(const Triangle& edges, const std::vector<Ball>& balls) {
+  Packing p;
+  p.cell.edges = edges;
+  p.resize(balls.size());
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    p.radius[k] = balls[k].radius;
+    p.mass[k] = mass_of(balls[k].radius);
+    p.species[k] = balls[k].radius > 0.5 ? Species::large : Species::small;
+    p.fraction[k] = to_fraction(inverse(edges) * balls[k].position);
+    p.velocity[k] = balls[k].velocity;
+    p.spin[k] = balls[k].spin;
+  }
+  return p;
+}
+
+Packing after(const Model& model, const Packing& start, std::int64_t steps) {
+  const auto simulation = make_simulation(model, start);
+  simulation->advance(steps);
+  return simulation->packing();
+}
+
+double kinetic_energy(const Packing& p) {
+  double sum = 0;
+  for (std::size_t k = 0; k < p.size(); ++k)
+    sum += 0.5 * p.mass[k] * dot(p.velocity[k], p.velocity[k]) +
+           0.2 * p.mass[k] * p.radius[k] * p.radius[k] * dot(p.spin[k], p.spin[k]);
+  return sum;
+}
+
+Vec3<double> momentum(const Packing& p) {
+  Vec3<double> sum;
+  for (std::size_t k = 0; k < p.size(); ++k) sum += p.mass[k] * p.velocity[k];
+  return sum;
+}
+
+Vec3<double> angular_momentum(const Packing& p) {
+  Vec3<double> sum;
+  for (std::size_t k = 0; k < p.size(); ++k)
+    sum += p.mass[k] * cross(p.unwrapped(k), p.velocity[k]) +
+           (0.4 * p.mass[k] * p.radius[k] * p.radius[k]) * p.spin[k];
+  return sum;
+}
+
+double largest_difference(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
+  double largest = a.size() == b.size() ? 0 : INFINITY;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    largest = std::max(largest, norm(a[k] - b[k]));
+  return largest;
+}
+
+double sum_of_forces(const Packing& p) {
+  double sum = 0;
+  for (const Contact& c : p.contacts) sum += norm(c.force);
+  return sum;
+}
+
+Model jammed_model() { return model_of<HookeSynchronized>({.friction = 0.3}); }
+
+const Packing& jammed() {
+  static const Packing packing = [] {
+    const Packing gas = dilute_start({.size_ratio = 3, .small_fraction = 0.6, .large = 5, .seed = 7});
+    Model model = jammed_model();
+    const double length = std::cbrt(gas.sphere_volume() / 0.64);
+    model.barostat.freedom = CellFreedom::triclinic;
+    model.barostat.inertia = gas.sphere_volume() * length * length / 12;
+    model.barostat.drag = 0.04;
+    constexpr int steps = 30000;
+    Packing settled = after(model, gas, steps);
+    settled.cell.rate = {};
+    return settled;
+  }();
+  return packing;
+}
+
+Packing squeezed(double speed) {
+  Packing p = jammed();
+  constexpr double s = 0.98;
+  p.cell.edges = product({s, s, s, 0, 0, 0}, p.cell.edges);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const auto n = static_cast<double>(k);
+    p.velocity[k] = speed * Vec3<double>{std::sin(n), std::sin(2 * n), std::cos(3 * n)};
+  }
+  return p;
+}
+
+}  // namespace furnas

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "engine/model.h"
+#include "engine/simulation.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// The time step of the study, 0.02 collision times of two small spheres [time].
+inline constexpr double paper_step = 0.032415;
+
+/// A sphere of density 1 as a test puts it down; its radius is that of a small one unless said otherwise.
+struct Ball {
+  Vec3<double> position{};  ///< [d_s]
+  Vec3<double> velocity{};  ///< [d_s/time]
+  Vec3<double> spin{};      ///< [1/time]
+  double radius = 0.5;      ///< [d_s]
+};
+
+inline double mass_of(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
+inline double inertia_of(double radius) { return 0.4 * mass_of(radius) * radius * radius; }
+inline double reduced_mass(double a, double b) { return 1 / (1 / mass_of(a) + 1 / mass_of(b)); }
+
+inline Triangle cube(double length) { return {length, length, length, 0, 0, 0}; }
+
+/// A start with the balls at their places in the cell.
+Packing packing_of(const Triangle& edges, const std::vector<Ball>& balls);
+
+/// A law in a cell that does not move.
+template <class Law>
+Model model_of(const HookeConstants& constants, double time_step = paper_step) {
+  Model model;
+  model.law = Law{constants};
+  model.time_step = time_step;
+  model.barostat.freedom = CellFreedom::fixed;
+  return model;
+}
+
+/// The state after some steps.
+Packing after(const Model& model, const Packing& start, std::int64_t steps);
+
+/// Translation and rotation [k_n d_s^2].
+double kinetic_energy(const Packing& packing);
+Vec3<double> momentum(const Packing& packing);
+
+/// About the origin, of the unwrapped positions, with spin.
+Vec3<double> angular_momentum(const Packing& packing);
+
+/// Largest |a - b| of two lists of vectors.
+double largest_difference(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b);
+
+/// Sum of |force| over the contacts.
+double sum_of_forces(const Packing& packing);
+
+/// About 200 spheres of size ratio 3 with friction 0.3, compressed to a packing at pressure 1e-4; its
+/// contacts carry histories. Made once, with the default law.
+const Packing& jammed();
+
+/// The jammed packing squeezed by 2 % along each edge and its particles kicked: overlaps of a hundredth, so
+/// that it stays a packing under any law and friction.
+Packing squeezed(double speed);
+
+/// The law and step that `jammed` was made with, in a cell that does not move.
+Model jammed_model();
+
+}  // namespace furnas

@@ -1,0 +1,92 @@
+#include "engine/search/merge.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/support/brute_force.h"
+#include "tests/engine/support/listed.h"
+#include "tests/engine/support/property.h"
+#include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/same_packing.h"
+
+namespace furnas {
+namespace {
+
+using test::Dice;
+using test::TouchName;
+
+/// What a row that meant `then` means after its particles have moved by these fractions.
+TouchName name_after(const Packing& now, std::uint32_t i, std::uint32_t j, const Vec3<double>& then,
+                     const Vec3<double>& move_i, const Vec3<double>& move_j) {
+  const Vec3<double> cells = then + move_i - move_j - nearest_difference(now.fraction[i], now.fraction[j]);
+  const auto whole = [](double x) { return static_cast<std::int8_t>(std::nearbyint(x)); };
+  Contact c;
+  c.i = i;
+  c.j = j;
+  c.image = {whole(cells.x), whole(cells.y), whole(cells.z)};
+  return test::name_of(now, c);
+}
+
+// Old rows and new ones, each image of a pair apart, across faces and with another skin.
+TEST(MergedHistory, StaysWithThePairAndItsImage) {
+  EXPECT_TRUE(test::holds(2000, [] {
+    Dice dice(test::any_seed());
+    test::RandomPacking wanted;
+    wanted.size_ratio = *rc::gen::element(1, 2, 7);
+    wanted.large = *rc::gen::inRange<std::size_t>(0, 3);
+    wanted.small = *rc::gen::inRange<std::size_t>(1, 20);
+    wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 4);
+    const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
+    const PairList old = test::listed(then, {dice.between(0, 0.5), 0});
+    std::vector<Vec3<double>> old_history(old.rows());
+    for (auto& xi : old_history)
+      if (dice.chance(0.7)) xi = dice.vector(1);
+
+    Packing now = then;
+    now.cell.edges = product({1.02, 0.98, 1, 0.01, 0, -0.02}, then.cell.edges);
+    std::vector<Vec3<double>> move(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      move[k] = dice.vector(old.quarter.empty() ? 0.02 : 0.12);
+      const Fraction m = to_fraction(move[k]);
+      now.fraction[k] = {then.fraction[k].x + m.x, then.fraction[k].y + m.y, then.fraction[k].z + m.z};
+    }
+
+    std::map<TouchName, Vec3<double>> expected;
+    for (std::uint32_t i = 0; i < then.size(); ++i)
+      for (std::uint64_t k = old.first[i]; k < old.first[i + 1]; ++k) {
+        const std::uint32_t j = old.partner[k];
+        const Vec3<double> d = old.quarter.empty()
+                                   ? nearest_difference(then.fraction[i], then.fraction[j])
+                                   : row_difference(then.fraction[i], then.fraction[j], old.quarter[k]);
+        expected[name_after(now, i, j, d, move[i], move[j])] = old_history[k];
+      }
+    RC_ASSERT(expected.size() == old.rows());
+
+    const PairList fresh = test::listed(now, {dice.between(0, 0.5), 0});
+    const auto history = merged_history(old, old_history, fresh, now.fraction);
+    RC_ASSERT(history.size() == fresh.rows());
+    for (std::uint32_t i = 0; i < now.size(); ++i)
+      for (std::uint64_t k = fresh.first[i]; k < fresh.first[i + 1]; ++k) {
+        const std::uint32_t j = fresh.partner[k];
+        Contact c;
+        c.i = i;
+        c.j = j;
+        c.image = image_of_row(fresh, k, now.fraction[i], now.fraction[j]);
+        const auto found = expected.find(test::name_of(now, c));
+        const Vec3<double> wanted_history = found == expected.end() ? Vec3<double>{} : found->second;
+        RC_ASSERT(test::same_bits(history[k], wanted_history));
+      }
+  }));
+}
+
+TEST(MergedHistory, IsZeroWhenThereWasNoList) {
+  Packing p;
+  p.resize(2);
+  p.radius = {0.5, 0.5};
+  p.cell.edges = {5, 5, 5};
+  p.fraction[1] = to_fraction({0.1, 0, 0});
+  const PairList fresh = test::listed(p, {0, 0});
+  EXPECT_EQ(merged_history({}, {}, fresh, p.fraction), std::vector<Vec3<double>>(1));
+}
+
+}  // namespace
+}  // namespace furnas
