@@ -41,11 +41,11 @@ void History::add(const Measures& m) {
   const Triangle& h = m.cell.edges;
   const auto& s = m.stress;
   const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
-  file_ << fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", m.step, m.time, m.phi,
-      m.pressure, s[0], s[1], s[2], s[3], s[4], s[5], m.kinetic_energy, m.backbone_kinetic_energy,
-      m.force_imbalance, m.contacts, m.coordination, backbone.backbone, m.sliding_share, m.largest_overlap,
-      m.cell.volume(), h.xx, h.yy, h.zz, h.xy, h.xz, h.yz);
+  file_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", m.step,
+                       m.time, m.phi, m.pressure, s[0], s[1], s[2], s[3], s[4], s[5], m.kinetic_energy,
+                       m.backbone_kinetic_energy, m.force_imbalance, m.contacts, m.coordination,
+                       backbone.backbone, m.sliding_share, m.largest_overlap, m.cell.volume(), h.xx, h.yy,
+                       h.zz, h.xy, h.xz, h.yz);
   file_.flush();
   if (!file_) throw OutputError("cannot write " + path_.string());
 }
