@@ -102,7 +102,7 @@ const Packing& jammed() {
 
 Packing squeezed(double speed) {
   Packing p = jammed();
-  constexpr double s = 0.98;
+  constexpr double s = 0.95;
   p.cell.edges = product({s, s, s, 0, 0, 0}, p.cell.edges);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const auto n = static_cast<double>(k);

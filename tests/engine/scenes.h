@@ -63,8 +63,8 @@ Packing reskewed(const Packing& packing, int xy, int xz, int yz);
 /// contacts carry histories. Made once, with the default law.
 const Packing& jammed();
 
-/// The jammed packing squeezed by 2 % along each edge and its particles kicked: overlaps of a hundredth, so
-/// that it stays a packing under any law and friction.
+/// The jammed packing squeezed by 5 % along each edge and its particles kicked: far above jamming, so that it
+/// stays a packing under any law and friction.
 Packing squeezed(double speed);
 
 /// The law and step that `jammed` was made with, in a cell that does not move.

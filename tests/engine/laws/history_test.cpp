@@ -172,6 +172,31 @@ TYPED_TEST(History, IsLostWhenTheContactOpens) {
   EXPECT_LT(norm(simulation->packing().contacts[0].history), 1e-15);
 }
 
+// T19: histories survive a new list: with one in every step and with none on the way a packing keeps every
+// bit.
+TYPED_TEST(History, SurvivesANewList) {
+  const auto run = [](double skin) {
+    Model model = model_of<TypeParam>({.friction = 0.3});
+    model.skin = skin;
+    const auto simulation = make_simulation(model, squeezed(1e-3));
+    simulation->advance(100);
+    return std::pair{simulation->packing(), simulation->builds()};
+  };
+  const auto [often, many] = run(0);
+  const auto [once, one] = run(0.5);
+  EXPECT_GT(many, 100);
+  EXPECT_EQ(one, 1);
+  EXPECT_EQ(often.velocity, once.velocity);
+  EXPECT_EQ(often.spin, once.spin);
+  ASSERT_EQ(often.contacts.size(), once.contacts.size());
+  double largest = 0;
+  for (std::size_t n = 0; n < once.contacts.size(); ++n) {
+    EXPECT_EQ(often.contacts[n].history, once.contacts[n].history);
+    largest = std::max(largest, norm(once.contacts[n].history));
+  }
+  EXPECT_GT(largest, 1e-4);
+}
+
 // T19: a contact that crosses the face of the cell moves as its twin in the middle does, to the bit.
 TYPED_TEST(History, CrossesTheFaceOfTheCell) {
   const auto run = [](double shift) {
