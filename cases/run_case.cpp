@@ -106,15 +106,14 @@ ExitCode run_case(const RunOrder& order, Console console) {
   const std::string case_text = resolved_toml(c);
   write_file(order.folder / "case.resolved.toml", case_text);
 
-  const bool fresh = !order.continued;
-  const Packing start = fresh ? start_of(c) : order.continued->packing;
+  const Packing& start = order.start;
   const int threads = c.compute.threads ? *c.compute.threads : threads_for(start.size());
   const std::unique_ptr<Simulation> simulation = make_simulation(model_of(c, start), start, threads);
   Observation now(*simulation, backbone_threshold_of(c));
   RestWatch watch(rest_criteria_of(c));
   Checkpoints checkpoints(order.folder);
-  std::vector<RestingState> reached;
-  if (!fresh) reached = resting_states_of(*order.continued);
+  watch.restore(order.window);
+  std::vector<RestingState> reached = order.reached;
   if (!reached.empty()) simulation->set_pressure(c.compaction.pressure.at(reached.size()));
   Requests requests;
   const auto begin = Clock::now();
@@ -125,7 +124,8 @@ ExitCode run_case(const RunOrder& order, Console console) {
   if (order.walltime) context.deadline = begin + *order.walltime;
   const Events events = schedule(context);
   const SignalGuard guard(requests);
-  const Verdict verdict = compact(now, events, &requests.attention);
+  Verdict verdict = compact(now, events, &requests.attention);
+  if (!Diverged::reason(now.measures()).empty()) verdict = Verdict::diverged;
   for (const auto& event : events)
     if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
 
@@ -145,7 +145,7 @@ ExitCode run_case(const RunOrder& order, Console console) {
   result.threads = threads;
   result.steps_here = simulation->step() - start.step;
   result.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached);
+  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached, watch);
   if (verdict == Verdict::jammed)
     result.reached.push_back({result.pressure, result.measures.phi, now.step()});
   write_outputs({c, now.packing(), result}, order.folder);

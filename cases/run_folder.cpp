@@ -22,8 +22,9 @@ fs::path create_run_folder(const std::string& wanted, const fs::path& case_file)
   const fs::path folder = wanted.empty() ? first_free(fs::path("runs") / case_file.stem()) : fs::path(wanted);
   std::error_code error;
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder, error)))
-    throw InputError("--out " + folder.string() +
-                     ": already there and not empty; allowed: a new or empty folder (resume goes on with a run)");
+    throw InputError(
+        "--out " + folder.string() +
+        ": already there and not empty; allowed: a new or empty folder (resume goes on with a run)");
   fs::create_directories(folder, error);
   if (error) throw InputError("cannot make the folder " + folder.string() + ": " + error.message());
   return folder;
@@ -34,7 +35,11 @@ std::chrono::seconds parse_duration(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   const std::string unit(rest, end);
-  const double scale = unit == "d" ? 86400 : unit == "h" ? 3600 : unit == "m" ? 60 : unit.empty() || unit == "s" ? 1 : 0;
+  const double scale = unit == "d"                   ? 86400
+                       : unit == "h"                 ? 3600
+                       : unit == "m"                 ? 60
+                       : unit.empty() || unit == "s" ? 1
+                                                     : 0;
   const double seconds = value * scale;
   if (error != std::errc{} || scale == 0 || !(seconds > 0) || seconds > 1e9)
     throw InputError("--walltime " + text + ": allowed: a positive time such as 90s, 30m, 2h or 1d");

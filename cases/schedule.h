@@ -15,12 +15,12 @@ namespace furnas {
 struct RunContext {
   const Case& resolved_case;
   std::filesystem::path folder;
-  std::string case_text;                    ///< the resolved case
-  std::int64_t first_step{};                ///< where this process begins
-  double first_time{};                      ///< [time]
+  std::string case_text;                                          ///< the resolved case
+  std::int64_t first_step{};                                      ///< where this process begins
+  double first_time{};                                            ///< [time]
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
-  std::ostream& out;                        ///< for progress
-  bool live{};                              ///< `out` is a terminal
+  std::ostream& out;                                              ///< for progress
+  bool live{};                                                    ///< `out` is a terminal
   Requests& requests;
   RestWatch& watch;
   Checkpoints& checkpoints;

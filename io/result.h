@@ -15,20 +15,20 @@ namespace furnas {
 /// What a run found, and how.
 struct Result {
   Verdict verdict = Verdict::budget;
-  std::string reason;                  ///< why it ended so, in a sentence
-  Measures measures;                   ///< at the end
-  RestReport rest;                     ///< how the criteria stood at the end
-  std::vector<RestingState> reached;   ///< each pressure at which the packing came to rest
-  std::int64_t rattlers_stilled{};     ///< times the motion of rattlers was taken out
-  std::int64_t flips{};                ///< times the cell was flipped
-  std::uint64_t state_hash{};          ///< of the final state
-  std::int64_t large{}, small{};       ///< particles of each species
-  double time_step{};                  ///< [time]
-  double pressure{};                   ///< of the bath at the end [k_n/d_s]
-  double inertia{};                    ///< W [rho d_s^5]
+  std::string reason;                 ///< why it ended so, in a sentence
+  Measures measures;                  ///< at the end
+  RestReport rest;                    ///< how the criteria stood at the end
+  std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest
+  std::int64_t rattlers_stilled{};    ///< times the motion of rattlers was taken out
+  std::int64_t flips{};               ///< times the cell was flipped
+  std::uint64_t state_hash{};         ///< of the final state
+  std::int64_t large{}, small{};      ///< particles of each species
+  double time_step{};                 ///< [time]
+  double pressure{};                  ///< of the bath at the end [k_n/d_s]
+  double inertia{};                   ///< W [rho d_s^5]
   int threads{};
-  double wall_seconds{};               ///< of this process
-  std::int64_t steps_here{};           ///< steps of this process
+  double wall_seconds{};      ///< of this process
+  std::int64_t steps_here{};  ///< steps of this process
 
   /// phi_J, which only a jammed packing has.
   std::optional<double> phi_J() const;
