@@ -97,15 +97,18 @@ void SimulationOf<Scene>::load(const Packing& p) {
     particle.position = p.fraction[k];
     particle.velocity = narrow(p.velocity[k]);
     particle.radius = Real(p.radius[k]);
-    particle.mass = Real(p.mass[k]);
+    particle.inverse_mass = Real(1 / p.mass[k]);
     Load<Real, spins> load{};
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
+      constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
       particle.spin = narrow(p.spin[k]);
+      particle.inverse_inertia = Real(1 / (sphere_inertia * p.mass[k] * p.radius[k] * p.radius[k]));
       load.torque = narrow(p.torque[k]);
     }
     state_.particles.push_back(particle);
     state_.loads.push_back(load);
+    state_.mass.push_back(p.mass[k]);
     state_.species.push_back(p.species[k]);
     state_.image.push_back(p.image[k]);
   }
@@ -217,7 +220,7 @@ Packing SimulationOf<Scene>::packing() const {
     const auto& particle = state_.particles[n];
     p.species[k] = state_.species[n];
     p.radius[k] = particle.radius;
-    p.mass[k] = particle.mass;
+    p.mass[k] = state_.mass[n];
     p.fraction[k] = particle.position;
     p.image[k] = crossed(state_.image[n], state_.pairs.reference[n], particle.position);
     p.velocity[k] = wide(particle.velocity);

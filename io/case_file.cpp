@@ -214,7 +214,8 @@ std::string resolved_toml(const Case& c) {
     table = key.table;
     const std::string unit = key.unit.empty() ? "" : fmt::format(" [{}]", key.unit);
     if (counts(key, c))
-      text += fmt::format("{:<28} #{} {}\n", fmt::format("{} = {}", key.name, value_text(key, c)), unit, key.doc);
+      text +=
+          fmt::format("{:<28} #{} {}\n", fmt::format("{} = {}", key.name, value_text(key, c)), unit, key.doc);
     else
       text += fmt::format("# {} is not used: {} is given\n", key.name, key.rival);
   }

@@ -8,11 +8,14 @@
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "cases/build_info.h"
 #include "cases/commands/command.h"
+#include "cases/scenario.h"
+#include "engine/simulation.h"
 
 namespace furnas {
 namespace {
@@ -26,7 +29,7 @@ std::string packed(unsigned long version) {
   return dotted(version / 10000, version / 100 % 100, version % 100);
 }
 
-ExitCode run(Console console) {
+ExitCode print_build(Console console) {
   const BuildInfo& build = build_info();
   const auto line = [&](std::string_view what, std::string_view value) {
     console.out << fmt::format("{:<14}{}\n", what, value);
@@ -48,15 +51,28 @@ ExitCode run(Console console) {
   return ExitCode::done;
 }
 
+/// The drawing of the timestep by the program itself.
+ExitCode draw_step(Console console) {
+  Case c;
+  c.mixture.large = 2;
+  const Packing packing = start_of(c);
+  make_simulation(model_of(c, packing), packing)->graph().write_dot(console.out);
+  return ExitCode::done;
+}
+
 }  // namespace
 
 Command info_command() {
+  auto step = std::make_shared<bool>(false);
   return {
       .name = "info",
       .does = "show the version, the build, the libraries and the number of threads",
-      .example = "furnas info",
-      .setup = [](CLI::App&) {},
-      .run = run,
+      .example = "furnas info --step | dot -Tsvg > step.svg",
+      .setup =
+          [step](CLI::App& app) {
+            app.add_flag("--step", *step, "draw the timestep in the language of Graphviz instead");
+          },
+      .run = [step](Console console) { return *step ? draw_step(console) : print_build(console); },
   };
 }
 

@@ -38,7 +38,8 @@ const RestReport& RestWatch::look(Observation& now) {
   report_.force_imbalance = m.force_imbalance;
   report_.kinetic_energy = criteria_.kinetic_energy_alone ? m.kinetic_energy : m.backbone_kinetic_energy;
 
-  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && m.contacts > 0;
+  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && m.contacts > 0 &&
+                    m.largest_overlap < criteria_.largest_overlap;
   const bool balanced = report_.backbone > 0 && report_.stress_error < criteria_.stress_error;
   const auto holds = [&](double imbalance) {
     return slow && (criteria_.kinetic_energy_alone || (balanced && report_.force_imbalance < imbalance));
@@ -47,18 +48,21 @@ const RestReport& RestWatch::look(Observation& now) {
                      holds(std::max(criteria_.loose_imbalance, criteria_.force_imbalance))});
   if (static_cast<std::int64_t>(window_.size()) > patience + 1) window_.pop_front();
 
-  report_.strain_drift = std::numeric_limits<double>::infinity();
-  if (static_cast<std::int64_t>(window_.size()) > looks) {
-    const Look& first = window_[window_.size() - 1 - looks];
-    report_.strain_drift =
-        strain_between(first.edges, m.cell.edges) * 1e5 / static_cast<double>(now.step() - first.step);
-  }
+  // Over ten windows the cell's own swing counts less, over one the past is forgotten sooner.
+  report_.strain_drift = std::min(drift_over(looks), drift_over(patience));
   const bool steady = criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift;
   const bool tightly = steady && all_hold(&Look::holds, looks + 1);
   report_.loosely = !tightly && steady && all_hold(&Look::holds_loosely, patience + 1);
   report_.resting = tightly || report_.loosely;
   report_.waiting_for = furthest();
   return report_;
+}
+
+double RestWatch::drift_over(std::int64_t count) const {
+  if (static_cast<std::int64_t>(window_.size()) <= count) return std::numeric_limits<double>::infinity();
+  const Look& then = *(window_.end() - 1 - count);
+  const Look& now = window_.back();
+  return strain_between(then.edges, now.edges) * 1e5 / static_cast<double>(now.step - then.step);
 }
 
 bool RestWatch::all_hold(bool Look::*holds, std::int64_t count) const {

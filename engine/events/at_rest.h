@@ -17,6 +17,7 @@ struct RestCriteria {
   double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
   double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
   double strain_drift = 1e-6;         ///< of the cell, per 1e5 steps
+  double largest_overlap = 0.5;       ///< of the smaller radius; beyond, the law means nothing
   std::int64_t window = 10'000;       ///< [steps]
 };
 
@@ -28,7 +29,7 @@ struct RestReport {
   double stress_error = unknown;
   double force_imbalance = unknown;
   double kinetic_energy = unknown;  ///< [k_n d_s^2]
-  double strain_drift = unknown;    ///< per 1e5 steps; infinite until the window is full
+  double strain_drift = unknown;    ///< per 1e5 steps, over one window or ten; infinite until one is full
   bool resting{};                   ///< all held at every look of the window
   bool loosely{};                   ///< resting, but with the loose limit of the force balance
   std::string waiting_for;          ///< the criterion that is furthest from its limit; empty when resting
@@ -69,6 +70,7 @@ class RestWatch {
  private:
   static constexpr std::int64_t looks = 10;             // a window
   static constexpr std::int64_t patience = 10 * looks;  // with the loose limit
+  double drift_over(std::int64_t count) const;
   bool all_hold(bool Look::*holds, std::int64_t count) const;
   std::string furthest() const;
 

@@ -25,9 +25,9 @@ bool Diverged::due(Observation& now) { return !reason(now.measures()).empty(); }
 
 std::string Diverged::reason(const Measures& m) {
   if (!is_finite(m)) return "a number of the state is not finite at step " + std::to_string(m.step);
-  if (m.largest_overlap > deepest_overlap)
-    return "spheres overlap by " + std::to_string(m.largest_overlap) + " of the smaller radius at step " +
-           std::to_string(m.step) + "; the law means nothing beyond " + std::to_string(deepest_overlap);
+  if (m.phi > 1)
+    return "the spheres fill " + std::to_string(m.phi) + " of the cell at step " + std::to_string(m.step) +
+           "; the pressure is too high for their stiffness";
   return {};
 }
 

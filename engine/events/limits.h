@@ -18,12 +18,10 @@ class Budget final : public Event {
   std::int64_t last_step_;
 };
 
-/// Ends the run when numbers stop being numbers or spheres pass into each other: the law no longer means
-/// anything there.
+/// Ends the run when numbers stop being numbers or the spheres fill more than the cell. Deep overlaps alone
+/// are no reason: while a mixture is compacted fast, large spheres squeeze small ones for a moment.
 class Diverged final : public Event {
  public:
-  static constexpr double deepest_overlap = 0.5;  ///< of the smaller radius
-
   const char* name() const override { return "diverged"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
   bool due(Observation& now) override;

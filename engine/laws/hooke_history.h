@@ -19,7 +19,7 @@ struct HookeHistory {
 
   /// `history` is the tangential displacement xi of i against j [d_s].
   template <class R>
-  Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
+  [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
     const R stiffness(constants.tangential_stiffness);
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     const R f_n = normal_force(constants, t.overlap, t.reduced_mass, dot(t.midway.velocity, n));

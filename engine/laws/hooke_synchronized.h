@@ -8,13 +8,14 @@ namespace furnas {
 /// Carries a vector across the rotation that takes the unit normal `from` to `to`, about the axis
 /// from x to: exact, keeps its length and its angle with the normal.
 template <class R>
-Vec3<R> transport(const Vec3<R>& vector, const Vec3<R>& from, const Vec3<R>& to) {
+[[gnu::always_inline]] inline Vec3<R> transport(const Vec3<R>& vector, const Vec3<R>& from,
+                                                const Vec3<R>& to) {
   return vector - (dot(vector, to) / (R(1) + dot(from, to))) * (from + to);
 }
 
 /// Turns a vector about `normal` by an angle, to third order in it, without changing its length.
 template <class R>
-Vec3<R> turn(const Vec3<R>& vector, const Vec3<R>& normal, R angle) {
+[[gnu::always_inline]] inline Vec3<R> turn(const Vec3<R>& vector, const Vec3<R>& normal, R angle) {
   const R t = R(0.5) * angle;
   const R scale = R(1) / (R(1) + t * t);
   return ((R(1) - t * t) * scale) * vector + (R(2) * t * scale) * cross(normal, vector);
@@ -35,7 +36,7 @@ struct HookeSynchronized {
 
   /// `history` is the tangential displacement xi of i against j [d_s].
   template <class R>
-  Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
+  [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
     const R half = R(0.5);
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     if (t.time_step > R(0)) history = aged(t, n, history);
@@ -58,10 +59,12 @@ struct HookeSynchronized {
  private:
   /// The history after the step: carried to its middle, grown by the slip there, carried to its end.
   template <class R>
-  static Vec3<R> aged(const Touch<R>& t, const Vec3<R>& end, const Vec3<R>& history) {
+  [[gnu::always_inline]] static Vec3<R> aged(const Touch<R>& t, const Vec3<R>& end, const Vec3<R>& history) {
     const R half = R(0.5);
     const Vec3<R> step = t.time_step * t.drift;
     const Vec3<R> branch_start = t.branch - step;
+    // Centres that passed each other within the step: nothing of the old contact plane is left.
+    if (dot(branch_start, t.branch) <= R(0)) return {};
     const Vec3<R> branch_middle = t.branch - half * step;
     const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);

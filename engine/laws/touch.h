@@ -35,7 +35,8 @@ struct Reaction {
 
 /// Slip velocity of the surfaces at the contact: the part of v_i - v_j - (a_i w_i + a_j w_j) x n across n.
 template <class R>
-[[gnu::always_inline]] inline Vec3<R> slip_velocity(const RelativeMotion<R>& motion, const Vec3<R>& normal, R arm_i, R arm_j) {
+[[gnu::always_inline]] inline Vec3<R> slip_velocity(const RelativeMotion<R>& motion, const Vec3<R>& normal,
+                                                    R arm_i, R arm_j) {
   const Vec3<R>& v = motion.velocity;
   return v - dot(v, normal) * normal - cross(arm_i * motion.spin_i + arm_j * motion.spin_j, normal);
 }

@@ -48,7 +48,7 @@ class Encounter {
     touch.overlap = i.radius + j.radius - touch.distance;
     touch.radius_i = i.radius;
     touch.radius_j = j.radius;
-    touch.reduced_mass = i.mass * j.mass / (i.mass + j.mass);
+    touch.reduced_mass = Real(1) / (i.inverse_mass + j.inverse_mass);
     touch.time_step = Real(time_step_);
     touch.midway.velocity = i.velocity - j.velocity;
     const Vec3<double> flow = cell_.rate * branch;
@@ -72,12 +72,11 @@ class Encounter {
   /// The motion at the end of the step, with the forces of its start: second order in the step.
   void predict(const Body& i, const Sum& load_i, const Body& j, const Sum& load_j, Touch<Real>& touch) const {
     const Real half = Real(0.5 * time_step_);
-    const Real kick_i = half / i.mass;
-    const Real kick_j = half / j.mass;
-    touch.now.velocity = touch.midway.velocity + (kick_i * load_i.force - kick_j * load_j.force);
+    touch.now.velocity =
+        touch.midway.velocity + half * (i.inverse_mass * load_i.force - j.inverse_mass * load_j.force);
     if constexpr (Scene::spins) {
-      touch.now.spin_i = i.spin + (kick_i / (Real(0.4) * i.radius * i.radius)) * load_i.torque;
-      touch.now.spin_j = j.spin + (kick_j / (Real(0.4) * j.radius * j.radius)) * load_j.torque;
+      touch.now.spin_i = i.spin + (half * i.inverse_inertia) * load_i.torque;
+      touch.now.spin_j = j.spin + (half * j.inverse_inertia) * load_j.torque;
     }
   }
 

@@ -8,7 +8,6 @@ namespace furnas {
 namespace {
 
 constexpr std::size_t chunk = 256;
-constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
 
 /// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
 /// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal.
@@ -36,9 +35,8 @@ class CellDrag {
 
 template <class R, bool spins>
 void half_kick(Particle<R, spins>& p, const Load<R, spins>& load, R half_step) {
-  p.velocity += (half_step / p.mass) * load.force;
-  if constexpr (spins)
-    p.spin += (half_step / (R(sphere_inertia) * p.mass * p.radius * p.radius)) * load.torque;
+  p.velocity += (half_step * p.inverse_mass) * load.force;
+  if constexpr (spins) p.spin += (half_step * p.inverse_inertia) * load.torque;
 }
 
 template <class R, bool spins>
@@ -110,7 +108,7 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
       half_kick(p, loads[i], Real(0.5 * time_step));
       p.velocity = drag(p.velocity);
       const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-      const double m = p.mass;
+      const double m = 1 / static_cast<double>(p.inverse_mass);
       part += {m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, m * v.y * v.z, m * v.x * v.z, m * v.x * v.y};
     }
     return part;

@@ -94,6 +94,9 @@ Packing dilute_start(const Mixture& m) {
   const double volume = static_cast<double>(large) * sphere_volume(large_radius) +
                         static_cast<double>(small) * sphere_volume(small_radius);
   const double length = std::cbrt(volume / m.start_fraction);
+  if (length <= 2 * large_radius)
+    throw InputError("at a packing fraction of " + std::to_string(m.start_fraction) + " the cell, " +
+                     std::to_string(length) + " d_s, is smaller than a large sphere; start more dilute");
 
   Packing p;
   p.resize(large + small);

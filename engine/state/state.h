@@ -30,16 +30,17 @@ struct alignas(16) Particle<Real, false> {
   Fraction position;
   Vec3<Real> velocity;  ///< peculiar [d_s/time]
   Real radius;          ///< [d_s]
-  Real mass;            ///< [rho d_s^3]
+  Real inverse_mass;    ///< [1/(rho d_s^3)]
 };
 
 template <class Real>
 struct alignas(16) Particle<Real, true> {
   Fraction position;
-  Vec3<Real> velocity;  ///< peculiar [d_s/time]
-  Real radius;          ///< [d_s]
-  Real mass;            ///< [rho d_s^3]
-  Vec3<Real> spin;      ///< angular velocity [1/time]
+  Vec3<Real> velocity;   ///< peculiar [d_s/time]
+  Real radius;           ///< [d_s]
+  Real inverse_mass;     ///< [1/(rho d_s^3)]
+  Vec3<Real> spin;       ///< angular velocity [1/time]
+  Real inverse_inertia;  ///< 1/(0.4 m R^2) [1/(rho d_s^5)]
 };
 
 /// Sums over the contacts of one particle.
@@ -89,6 +90,7 @@ struct State {
   std::vector<Vec3<Real>> history;            ///< one a pair of the list; empty without friction [d_s]
 
   std::vector<std::uint32_t> id;  ///< index of each place in the packing
+  std::vector<double> mass;       ///< [rho d_s^3]
   std::vector<Species> species;
   std::vector<Image> image;  ///< cells crossed until the list was built
 };

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -33,7 +34,7 @@ class Commands : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("furnas_commands_") + test->name());
+    folder_ = fs::temp_directory_path() / (std::string("furnas_") + test->name() + std::to_string(getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

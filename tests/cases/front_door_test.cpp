@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -42,12 +43,17 @@ void write_script(const fs::path& file, const std::string& text) {
 
 const fs::path source = FURNAS_SOURCE_DIR;
 
+/// A folder that no other test, nor the same test of another checkout, uses. Its blank is meant.
+fs::path own_folder(const std::string& name) {
+  return fs::temp_directory_path() / ("furnas door " + name + std::to_string(getpid()));
+}
+
 /// A checkout with the real front door and a program of one line behind it.
 class FrontDoor : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::temp_directory_path() / (std::string("furnas door ") + test->name());
+    root_ = own_folder(test->name());
     fs::remove_all(root_);
     fs::create_directories(root_ / "elsewhere");
     fs::copy_file(source / "furnas", root_ / "furnas");
@@ -132,6 +138,15 @@ TEST_F(FrontDoor, TestRunsTheCommitLabelAndCarriesItsCode) {
   EXPECT_EQ(door("").text, "program");
 }
 
+TEST_F(FrontDoor, TestFailsOnAForeignFormat) {
+  if (shell("command -v clang-format").code != 0) GTEST_SKIP() << "clang-format is not installed";
+  for (const char* room : {"engine", "io", "viz", "cases", "tests"}) fs::create_directories(root_ / room);
+  write(root_ / "io/odd.cpp", "int  odd ( );\n");
+  const Answer answer = door("test");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.text, HasSubstr("format: not clang-format's: io/odd.cpp"));
+}
+
 /// Commands that stand in for Debian's: nothing is installed, and what is asked for is written down.
 class FrontDoorPackages : public FrontDoor {
  protected:
@@ -183,7 +198,7 @@ TEST(FrontDoorScript, IsPlainShell) {
 }
 
 TEST(NightlyFrontDoor, WorksInACleanClone) {
-  const fs::path clone = fs::temp_directory_path() / "furnas clean clone";
+  const fs::path clone = own_folder("clone");
   fs::remove_all(clone);
   const Answer cloned = shell("git clone -q '" + source.string() + "' '" + clone.string() + "'");
   ASSERT_EQ(cloned.code, 0) << cloned.text;

@@ -7,29 +7,36 @@
 namespace furnas {
 namespace {
 
-constexpr std::int64_t steps = 700;
+struct Case {
+  const char* name;
+  double friction;
+  bool legacy;
+  std::int64_t large;
+  std::int64_t steps;
+};
 
 struct Outcome {
   Packing end;
   std::int64_t builds;
 };
 
-Outcome run(const Model& model, int threads = 1, Schedule schedule = Schedule::in_order) {
-  // More threads than the machine has, so that several really work.
-  const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
-  const auto simulation = make_simulation(model, test::hasty_gas(), threads, schedule);
-  simulation->advance(steps);
-  return {simulation->packing(), simulation->builds()};
-}
-
-class Determinism : public ::testing::TestWithParam<double> {
+class Determinism : public ::testing::TestWithParam<Case> {
  protected:
-  const Model model = test::hasty_model(GetParam());
+  Outcome run(const Model& with, int threads = 1, Schedule schedule = Schedule::in_order) const {
+    // More threads than the machine has, so that several really work.
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
+    const auto simulation = make_simulation(with, start, threads, schedule);
+    simulation->advance(steps);
+    return {simulation->packing(), simulation->builds()};
+  }
+
+  const Packing start = test::hasty_gas(GetParam().large);
+  const Model model = test::hasty_model(GetParam().friction, GetParam().legacy);
+  const std::int64_t steps = GetParam().steps;
 };
 
 // Guards the other tests: bits that agree say nothing about a run in which nothing happens.
 TEST_P(Determinism, TheRunHasSomethingToDisagreeAbout) {
-  const Packing start = test::hasty_gas();
   const Outcome r = run(model);
   EXPECT_GT(start.size(), 4 * 256u);
   EXPECT_GT(r.builds, 10);
@@ -42,7 +49,7 @@ TEST_P(Determinism, TheRunHasSomethingToDisagreeAbout) {
   for (const Contact& c : r.end.contacts) sliding += c.sliding;
   for (const Image& image : r.end.image) crossed += image != Image{};
   EXPECT_GT(crossed, 0u);
-  if (GetParam() > 0) {
+  if (GetParam().friction > 0) {
     EXPECT_GT(sliding, 100u);
     EXPECT_LT(sliding, r.end.contacts.size() - 100);
   }
@@ -72,8 +79,8 @@ TEST_P(Determinism, TheSameBitsForAnySkin) {
 
 TEST_P(Determinism, TheSameBitsWhenThePackingIsTakenOutAndPutBack) {
   const Packing expected = run(model).end;
-  for (std::int64_t every : {1, 7, 100}) {
-    auto simulation = make_simulation(model, test::hasty_gas());
+  for (std::int64_t every : {std::int64_t{1}, std::int64_t{7}, std::min<std::int64_t>(1000, steps / 2)}) {
+    auto simulation = make_simulation(model, start);
     while (simulation->step() < steps) {
       simulation->advance(std::min(every, steps - simulation->step()));
       if (every == 7)
@@ -86,15 +93,24 @@ TEST_P(Determinism, TheSameBitsWhenThePackingIsTakenOutAndPutBack) {
 }
 
 TEST_P(Determinism, LoadingChangesNoBit) {
-  const auto simulation = make_simulation(model, test::hasty_gas());
+  const auto simulation = make_simulation(model, start);
   simulation->advance(steps);
   const Packing before = simulation->packing();
   simulation->load(before);
   EXPECT_TRUE(test::same_packing(simulation->packing(), before));
 }
 
-INSTANTIATE_TEST_SUITE_P(Friction, Determinism, ::testing::Values(0.0, 0.3),
-                         [](const auto& test) { return test.param > 0 ? "Rough" : "Smooth"; });
+std::string name_of_case(const ::testing::TestParamInfo<Case>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Gas, Determinism,
+                         ::testing::Values(Case{"Smooth", 0, false, 20, 700},
+                                           Case{"Rough", 0.3, false, 20, 700},
+                                           Case{"Legacy", 0.3, true, 20, 700}),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Nightly, Determinism,
+                         ::testing::Values(Case{"Smooth", 0, false, 60, 5000},
+                                           Case{"Rough", 0.3, false, 60, 5000}),
+                         name_of_case);
 
 }  // namespace
 }  // namespace furnas

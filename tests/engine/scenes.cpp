@@ -63,6 +63,25 @@ double sum_of_forces(const Packing& p) {
   return sum;
 }
 
+Packing reskewed(const Packing& packing, int xy, int xz, int yz) {
+  Packing p = packing;
+  p.cell.edges = product(packing.cell.edges, {1, 1, 1, double(yz), double(xz), double(xy)});
+  p.image.assign(p.size(), {});
+  // The inverse of the integer matrix, for positions in integers that wrap as the cell does.
+  const int corner = xz - xy * yz;
+  const auto times = [](int n, std::uint64_t s) { return static_cast<std::uint64_t>(std::int64_t{n}) * s; };
+  for (Fraction& s : p.fraction) s = {s.x - times(xy, s.y) - times(corner, s.z), s.y - times(yz, s.z), s.z};
+  const auto cells = [](double x) { return static_cast<std::int8_t>(std::lround(x)); };
+  for (Contact& c : p.contacts) {
+    Vec3<double> d = nearest_difference(packing.fraction[c.i], packing.fraction[c.j]);
+    d += {double(c.image[0]), double(c.image[1]), double(c.image[2])};
+    d = Vec3<double>{d.x - xy * d.y - corner * d.z, d.y - yz * d.z, d.z} -
+        nearest_difference(p.fraction[c.i], p.fraction[c.j]);
+    c.image = {cells(d.x), cells(d.y), cells(d.z)};
+  }
+  return p;
+}
+
 Model jammed_model() { return model_of<HookeSynchronized>({.friction = 0.3}); }
 
 const Packing& jammed() {

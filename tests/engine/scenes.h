@@ -55,6 +55,10 @@ double largest_difference(const std::vector<Vec3<double>>& a, const std::vector<
 /// Sum of |force| over the contacts.
 double sum_of_forces(const Packing& packing);
 
+/// The same lattice of spheres described by other edges: b gains `xy` times a, c gains `xz` times a and `yz`
+/// times b. Contacts keep what they are about; the count of crossed cells starts anew.
+Packing reskewed(const Packing& packing, int xy, int xz, int yz);
+
 /// About 200 spheres of size ratio 3 with friction 0.3, compressed to a packing at pressure 1e-4; its
 /// contacts carry histories. Made once, with the default law.
 const Packing& jammed();

@@ -70,13 +70,13 @@ TEST(SmallCell, TheSameBitsWhenThePackingIsTakenOutAndPutBack) {
 
 // A skin as wide as the cell must not let a particle pass half a cell unseen.
 TEST(SmallCell, CountsTheCellsCrossedUnderAWideSkin) {
-  EXPECT_TRUE(test::holds(100, [] {
+  EXPECT_TRUE(test::holds(40, [] {
     test::Dice dice(test::any_seed());
     Packing start = crowded(dice);
     for (Vec3<double>& v : start.velocity) v += dice.vector(1);
     Model model = crowded_model(dice);
     const Packing expected = end_of_run(model, start, 0.0);
-    for (double skin : {1.0, 3.0, 10.0}) {
+    for (double skin : {1.0, 5.0}) {
       const auto same = test::same_packing(end_of_run(model, start, skin), expected);
       if (!same) RC_FAIL(std::string(same.message()) + ", skin " + std::to_string(skin));
     }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -263,7 +264,7 @@ TEST(CaseFile, CountsAndTimesOfThePaper) {
 }
 
 TEST(CaseFile, StartIsFoundBesideTheCaseFile) {
-  const auto folder = std::filesystem::temp_directory_path() / "furnas_case_file_test";
+  const auto folder = std::filesystem::temp_directory_path() / ("furnas_start_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "case.toml") << "[start]\nfile = \"packing.data\"\n";
   EXPECT_THROW(read_case(folder / "case.toml"), InputError);

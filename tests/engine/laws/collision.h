@@ -17,7 +17,7 @@ struct Bounce {
 
 /// Sets i beside j along x so that their surfaces meet after one step and the share `phase` of the next,
 /// and lets them collide. Positions in the balls are ignored. At most `most_steps` are taken.
-Bounce bounce(const Model& model, Ball i, Ball j, double phase, int most_steps = 100000);
+Bounce bounce(const Model& model, Ball i, Ball j, double phase, int most_steps = 10000);
 
 /// A step, and the share of it after which the spheres meet.
 struct Phase {

@@ -29,16 +29,6 @@ Packing face_centred_primitive(double r) {
                     {{}});
 }
 
-Packing reskewed(const Packing& packing, int xy, int xz, int yz) {
-  Packing p = packing;
-  p.cell.edges = product(packing.cell.edges, {1, 1, 1, double(yz), double(xz), double(xy)});
-  // The inverse of the integer matrix, in integers that wrap as the cell does.
-  const auto times = [](int n, std::uint64_t s) { return static_cast<std::uint64_t>(std::int64_t{n}) * s; };
-  for (Fraction& s : p.fraction)
-    s = {s.x - times(xy, s.y) - times(xz - xy * yz, s.z), s.y - times(yz, s.z), s.z};
-  return p;
-}
-
 double contact_pressure(const Packing& p) { return p.stress.contacts.trace() / (3 * p.cell.volume()); }
 
 Packing with_forces(const Model& model, const Packing& packing) { return after(model, packing, 0); }

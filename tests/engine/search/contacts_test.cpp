@@ -30,6 +30,30 @@ bool near(const Vec3<double>& a, const Far& b, Long scale) {
   return norm(Far{a.x - b.x, a.y - b.y, a.z - b.z}) <= Long(tolerance) * scale;
 }
 
+/// Sums of the brute force over the contacts, and how large their terms are.
+struct Sums {
+  explicit Sums(std::size_t n) : force(n), torque(n), scale(n) {}
+
+  void add(const Packing& p, const test::TouchName& name, const test::BruteTouch& touch, const Far& f,
+           Long size) {
+    const Long half_overlap = (Long(p.radius[name.i]) + Long(p.radius[name.j]) - touch.distance) / 2;
+    const Far couple = cross(touch.branch * (1 / touch.distance), f);
+    force[name.i] += f;
+    force[name.j] -= f;
+    torque[name.i] -= (Long(p.radius[name.i]) - half_overlap) * couple;
+    torque[name.j] -= (Long(p.radius[name.j]) - half_overlap) * couple;
+    scale[name.i] += size;
+    scale[name.j] += size;
+    stress[0] += touch.branch.x * f, stress[1] += touch.branch.y * f, stress[2] += touch.branch.z * f;
+    stress_scale += touch.distance * size;
+  }
+
+  std::vector<Far> force, torque;
+  std::array<Far, 3> stress{};
+  std::vector<Long> scale;
+  Long stress_scale{};
+};
+
 /// The engine's contacts, forces and stress against all pairs and all images.
 void compare_with_brute_force(const Model& model, const Packing& start) {
   const Packing p = make_simulation(model, start)->packing();
@@ -41,8 +65,7 @@ void compare_with_brute_force(const Model& model, const Packing& start) {
   std::map<test::TouchName, Contact> found;
   for (const Contact& c : p.contacts) RC_ASSERT(found.emplace(test::name_of(p, c), c).second);
 
-  std::vector<Far> force(p.size());
-  std::vector<Long> scale(p.size());
+  Sums sums(p.size());
   for (const auto& [name, touch] : expected) {
     const Long reach = Long(p.radius[name.i]) + Long(p.radius[name.j]);
     const Far f = test::brute_force(p, law, spins, name, touch);
@@ -62,13 +85,17 @@ void compare_with_brute_force(const Model& model, const Packing& start) {
     RC_ASSERT(near(sign * c.branch, touch.branch, reach));
     RC_ASSERT(std::abs(c.overlap - (reach - touch.distance)) <= tolerance * reach);
     RC_ASSERT(near(sign * c.force, f, size));
-    force[name.i] += f;
-    force[name.j] -= f;
-    scale[name.i] += size;
-    scale[name.j] += size;
+    sums.add(p, name, touch, f, size);
   }
   for (const auto& [name, c] : found) RC_ASSERT(c.overlap <= 1e-14 * (p.radius[c.i] + p.radius[c.j]));
-  for (std::size_t k = 0; k < p.size(); ++k) RC_ASSERT(near(p.force[k], force[k], scale[k]));
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    RC_ASSERT(near(p.force[k], sums.force[k], sums.scale[k]));
+    RC_ASSERT(near(p.torque[k], spins ? sums.torque[k] : Far{}, p.radius[k] * sums.scale[k]));
+  }
+  for (int a = 0; a < 3; ++a) {
+    const Vec3<double> row{p.stress.contacts(a, 0), p.stress.contacts(a, 1), p.stress.contacts(a, 2)};
+    RC_ASSERT(near(row, sums.stress[static_cast<std::size_t>(a)], sums.stress_scale));
+  }
 }
 
 TEST(Contacts, EqualBruteForceInAnyCell) {

@@ -46,8 +46,8 @@ inline Far times(const Triangle& h, const Far& s) {
 inline std::map<TouchName, BruteTouch> brute_pairs(const Packing& p, double margin) {
   const Triangle& h = p.cell.edges;
   std::map<TouchName, BruteTouch> found;
-  const auto least = [](Long bound) { return static_cast<int>(std::floor(bound)) - 1; };
-  const auto most = [](Long bound) { return static_cast<int>(std::ceil(bound)) + 1; };
+  const auto least = [](Long bound) { return static_cast<int>(std::floor(bound)); };
+  const auto most = [](Long bound) { return static_cast<int>(std::ceil(bound)); };
   for (std::uint32_t i = 0; i < p.size(); ++i)
     for (std::uint32_t j = i; j < p.size(); ++j) {
       const Far d = exact_difference(p.fraction[i], p.fraction[j]);

@@ -13,11 +13,13 @@ inline Packing hasty_gas(std::int64_t large = 20, double size_ratio = 3) {
 }
 
 /// The model that squeezes it; without friction the law that has no spin.
-inline Model hasty_model(double friction) {
+inline Model hasty_model(double friction, bool legacy = false) {
   HookeConstants constants;
   constants.friction = friction;
   Model model;
-  if (friction > 0)
+  if (friction > 0 && legacy)
+    model.law = HookeHistory{constants};
+  else if (friction > 0)
     model.law = HookeSynchronized{constants};
   else
     model.law = Frictionless<false>{constants};

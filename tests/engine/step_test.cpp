@@ -1,0 +1,64 @@
+#include "engine/step.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/engine/support/compaction.h"
+
+namespace furnas {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Forces need the list, the list the places, the places the cell, the cell the forces: one chain.
+TEST(Step, OfAMovingCellIsAChain) {
+  const auto simulation = make_simulation(test::hasty_model(0.3), test::hasty_gas(2));
+  const StepGraph& step = simulation->graph();
+  EXPECT_THAT(step.titles(),
+              ElementsAre("kick the cell", "stretch the cell", "kick and drift", "stretch the cell",
+                          "watch the wear", "measure the wear", "bin the particles", "search the pairs",
+                          "adopt the list", "contact forces", "gather and kick", "kick the cell"));
+  EXPECT_THAT(step.waits_for(0), IsEmpty());
+  for (std::size_t k = 1; k < step.titles().size(); ++k) EXPECT_THAT(step.waits_for(k), ElementsAre(k - 1));
+}
+
+TEST(Step, OfAFixedCellDoesNotTouchTheCell) {
+  Model model = test::hasty_model(0.3);
+  model.barostat.freedom = CellFreedom::fixed;
+  const auto simulation = make_simulation(model, test::hasty_gas(2));
+  const Cell before = simulation->cell();
+  simulation->advance(50);
+  EXPECT_EQ(simulation->cell(), before);
+  const std::vector<std::string> titles = simulation->graph().titles();
+  EXPECT_EQ(std::count(titles.begin(), titles.end(), "stretch the cell"), 0);
+  EXPECT_EQ(std::count(titles.begin(), titles.end(), "kick the cell"), 0);
+}
+
+TEST(Step, IsDrawnWithTheNamesOfWhatItTouches) {
+  const auto simulation = make_simulation(test::hasty_model(0.3), test::hasty_gas(2));
+  std::ostringstream dot;
+  simulation->graph().write_dot(dot);
+  for (const std::string& title : simulation->graph().titles())
+    EXPECT_THAT(dot.str(), HasSubstr("<b>" + title + "</b>"));
+  for (const char* name :
+       {"cell", "particles", "loads", "pairs", "rows", "history", "image", "stress", "wear"})
+    EXPECT_THAT(dot.str(), HasSubstr(name));
+}
+
+TEST(Step, StopsWhenToldTo) {
+  const auto simulation = make_simulation(test::hasty_model(0.3), test::hasty_gas(2));
+  const std::atomic<bool> stop = true;
+  simulation->advance(100, &stop);
+  EXPECT_EQ(simulation->step(), 0);
+  const std::atomic<bool> go_on = false;
+  simulation->advance(100, &go_on);
+  EXPECT_EQ(simulation->step(), 100);
+}
+
+}  // namespace
+}  // namespace furnas
