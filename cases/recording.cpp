@@ -53,6 +53,19 @@ std::optional<Verdict> RecordFrame::fire(Observation& now) {
   return {};
 }
 
+Checkpoints::Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {
+  const auto written = [&](const char* name) {
+    std::error_code missing;
+    return std::filesystem::last_write_time(folder_ / name, missing);  // the least time if it is missing
+  };
+  second_ = written(checkpoint_names[1]) < written(checkpoint_names[0]);
+}
+
+bool Checkpoints::none() const {
+  return !std::filesystem::exists(folder_ / checkpoint_names[0]) &&
+         !std::filesystem::exists(folder_ / checkpoint_names[1]);
+}
+
 void Checkpoints::write(const Packing& packing, const std::string& case_text,
                         const std::vector<RestingState>& reached, const RestWatch& watch) {
   write_checkpoint(

@@ -47,7 +47,11 @@ class RecordFrame final : public Event {
 /// The two checkpoints of a run, written in turn, so that one good one always stays.
 class Checkpoints {
  public:
-  explicit Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Begins with the older one of those that `folder` has.
+  explicit Checkpoints(std::filesystem::path folder);
+
+  /// Whether there is none yet.
+  bool none() const;
 
   /// Writes over the older one.
   void write(const Packing& packing, const std::string& case_text, const std::vector<RestingState>& reached,

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 
 #include "engine/base/parallel.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 namespace {
@@ -24,6 +26,11 @@ Bins sort_into_bins(const Triangle& edges, double cutoff, const std::vector<Frac
   Bins bins;
   const Vec3<double> height = heights(edges);
   const std::array<double, 3> h{height.x, height.y, height.z};
+  constexpr double most_cells = 30;  // that a row can tell apart; nor would more make sense
+  for (double along : h)
+    if (!(cutoff < most_cells * along))  // or is no number
+      throw NumericalFailure("the cell has collapsed: between two of its faces are " + std::to_string(along) +
+                             " d_s, and spheres meet at " + std::to_string(cutoff) + " d_s");
   for (int axis = 0; axis < 3; ++axis) {
     bins.count[axis] = bins_along(h[axis], cutoff);
     bins.reach[axis] =

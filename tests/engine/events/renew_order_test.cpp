@@ -18,10 +18,11 @@ std::unique_ptr<Simulation> disordered() {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> speed(-0.1, 0.1);
   for (auto& v : p.velocity) v = {speed(random), speed(random), speed(random)};
-  const double edge = 0.75 * p.cell.edges.xx;
+  const double edge = 0.8 * p.cell.edges.xx;
   p.cell.edges = {edge, edge, edge, 0, 0, 0};
   Model model;
   model.law = HookeSynchronized{{.friction = 0.3}};
+  model.barostat.freedom = CellFreedom::fixed;
   auto simulation = make_simulation(model, p);
   simulation->advance(20);
   p = simulation->packing();
