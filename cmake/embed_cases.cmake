@@ -25,7 +25,10 @@ std::span<const CaseTemplate> case_templates() {
 ]])
 
 string(TOUPPER "${CMAKE_BUILD_TYPE}" furnas_build_type)
-string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${furnas_build_type}} -ffp-contract=off" furnas_build_flags)
+get_target_property(furnas_options furnas_flags INTERFACE_COMPILE_OPTIONS)
+list(FILTER furnas_options EXCLUDE REGEX "^-W|^\\$<")
+list(JOIN furnas_options " " furnas_options)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${furnas_build_type}} ${furnas_options}" furnas_build_flags)
 configure_file(${PROJECT_SOURCE_DIR}/cases/build_info.cpp.in ${PROJECT_BINARY_DIR}/generated/build_info.cpp @ONLY)
 
 target_sources(furnas_cases PRIVATE ${PROJECT_BINARY_DIR}/generated/case_templates.cpp

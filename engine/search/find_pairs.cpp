@@ -17,8 +17,19 @@ constexpr std::size_t chunk = 512;
 /// Places in the cell are rounded to 2^-53 of it here, contacts are not: bins and reach are this much wider.
 constexpr double hair = 1e-9;
 
-/// Integer division that rounds down.
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return (a >= 0 ? a : a - b + 1) / b; }
+/// A bin along one edge, wrapped into the cell. Divides once, then only counts: a division a bin would
+/// take a fifth of the time of the search.
+struct WrappedBin {
+  std::int64_t count;
+  std::int64_t cell;   ///< cells to the right of the first
+  std::int64_t index;  ///< in [0, count)
+
+  WrappedBin(std::int64_t bin, std::int64_t count_)
+      : count(count_), cell((bin >= 0 ? bin : bin - count_ + 1) / count_), index(bin - cell * count_) {}
+  void next() {
+    if (++index == count) index = 0, ++cell;
+  }
+};
 
 /// A place in the sorted entries that remembers where it was: successive particles ask for nearby keys.
 class Cursor {
@@ -52,25 +63,26 @@ class Neighbourhood {
   void around(const Vec3<double>& s, Visit&& visit) {
     const auto& [nx, ny, nz] = bins_.count;
     const auto& [rx, ry, rz] = bins_.reach;
-    const std::int64_t cx = bins_.coordinate(0, s.x);
-    const std::int64_t cy = bins_.coordinate(1, s.y);
     const std::int64_t cz = bins_.coordinate(2, s.z);
+    const WrappedBin first_y(bins_.coordinate(1, s.y) - ry, ny);
+    const WrappedBin first_z(cz - rz, nz);
+    const WrappedBin last_z(cz + rz, nz);
+    const Binned* const end = bins_.entries.data() + bins_.entries.size();
     std::size_t column = 0;
-    for (std::int64_t x = cx - rx; x <= cx + rx; ++x) {
-      const std::int64_t kx = floor_divide(x, nx);
-      for (std::int64_t y = cy - ry; y <= cy + ry; ++y, ++column) {
-        const std::int64_t ky = floor_divide(y, ny);
-        const std::int64_t last = floor_divide(cz + rz, nz);
-        for (std::int64_t kz = floor_divide(cz - rz, nz); kz <= last; ++kz) {
-          const std::int64_t low = std::max(cz - rz - kz * nz, std::int64_t{0});
-          const std::int64_t high = std::min(cz + rz - kz * nz, nz - 1);
-          const std::uint64_t from = bins_.key(x - kx * nx, y - ky * ny, low);
-          const std::uint64_t to = bins_.key(x - kx * nx, y - ky * ny, high);
+    WrappedBin x(bins_.coordinate(0, s.x) - rx, nx);
+    for (std::int64_t across = -rx; across <= rx; ++across, x.next()) {
+      WrappedBin y = first_y;
+      for (std::int64_t along = -ry; along <= ry; ++along, y.next(), ++column) {
+        for (std::int64_t kz = first_z.cell; kz <= last_z.cell; ++kz) {
+          const std::int64_t low = kz == first_z.cell ? first_z.index : 0;
+          const std::int64_t high = kz == last_z.cell ? last_z.index : nz - 1;
+          const std::uint64_t to = bins_.key(x.index, y.index, high);
+          const Vec3<double> image{static_cast<double>(x.cell), static_cast<double>(y.cell),
+                                   static_cast<double>(kz)};
           Cursor& cursor = cursors_[3 * column + static_cast<std::size_t>((kz % 3 + 3) % 3)];
-          const Binned* const end = bins_.entries.data() + bins_.entries.size();
-          for (const Binned* e = cursor.seek(bins_.entries, from); e != end && e->key <= to; ++e)
-            visit(*e,
-                  Vec3<double>{static_cast<double>(kx), static_cast<double>(ky), static_cast<double>(kz)});
+          for (const Binned* e = cursor.seek(bins_.entries, bins_.key(x.index, y.index, low));
+               e != end && e->key <= to; ++e)
+            visit(*e, image);
         }
       }
     }

@@ -65,6 +65,12 @@ double position_error(const Packing& ours, const Packing& theirs) {
   return largest;
 }
 
+std::string name_of(const testing::TestParamInfo<Reference>& tested) {
+  std::string name = testing::PrintToString(tested.param);
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
 class LegacyLaw : public testing::TestWithParam<Reference> {};
 
 // hooke_history follows gran/hooke/history, in a fixed cell and with fix nph/sphere: forces and torques at
@@ -84,7 +90,9 @@ TEST_P(LegacyLaw, FollowsTheTrajectoryOfLammps) {
     EXPECT_LT(position_error(ours, theirs), 1e-10) << "step " << theirs.step;
     EXPECT_LT(error(ours.velocity, theirs.velocity), 1e-10);
     EXPECT_LT(error(ours.force, theirs.force), 1e-10);
-    if (spins) EXPECT_LT(error(ours.spin, theirs.spin), 1e-10);
+    if (spins) {
+      EXPECT_LT(error(ours.spin, theirs.spin), 1e-10);
+    }
     EXPECT_NEAR(ours.cell.edges.xx, theirs.cell.edges.xx, 1e-11);
     EXPECT_NEAR(ours.cell.edges.xy, theirs.cell.edges.xy, 1e-11);
   }
@@ -94,11 +102,7 @@ INSTANTIATE_TEST_SUITE_P(References, LegacyLaw,
                          testing::Values(Reference{"a3", "nve", "0"}, Reference{"a3", "nve", "0.3"},
                                          Reference{"a3", "nph", "0"}, Reference{"a3", "nph", "0.3"},
                                          Reference{"mono", "nph", "0.3"}),
-                         [](const auto& info) {
-                           std::string name = testing::PrintToString(info.param);
-                           std::replace(name.begin(), name.end(), '.', '_');
-                           return name;
-                         });
+                         name_of);
 
 // The start of size ratio 8 holds pairs placed exactly at contact, where rounding decides whether they touch.
 // Every particle without such a pair has the forces of LAMMPS.
