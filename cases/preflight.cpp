@@ -86,9 +86,9 @@ Preflight check_case(const Case& c) {
       fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
                   n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
   const double dt = time_step(c).value_or(0);
-  // The tangential mode of the lightest pair is the stiffest: w^2 = 3.5 k/m_eff, k_t = k_n.
-  const double stiffest =
-      std::sqrt(3.5 * std::max(1.0, c.contact.tangential_stiffness) / reduced_mass(n.small, n.small));
+  // With friction the tangential mode of the lightest pair is the stiffest: w^2 = 3.5 k_t/m_eff.
+  const double stiffness = c.contact.friction > 0 ? std::max(1.0, 3.5 * c.contact.tangential_stiffness) : 1.0;
+  const double stiffest = std::sqrt(stiffness / reduced_mass(n.small, n.small));
   out.report += fmt::format("time step {:.6g}, {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n",
                             dt, dt * stiffest);
   out.report += pairs_report(n, c);

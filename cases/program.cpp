@@ -56,6 +56,8 @@ ExitCode run_guarded(const Command& command, Console console) {
     return command.run(console);
   } catch (const InputError& error) {
     return complain(console, ExitCode::bad_case, error.what());
+  } catch (const NumericalFailure& error) {
+    return complain(console, ExitCode::numerical_failure, error.what());
   } catch (const std::bad_alloc&) {
     return complain(console, ExitCode::internal_error, "out of memory");
   } catch (const std::exception& error) {

@@ -47,10 +47,15 @@ class RecordFrame final : public Event {
 /// The two checkpoints of a run, written in turn, so that one good one always stays.
 class Checkpoints {
  public:
-  explicit Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Begins with the older one of those that `folder` has.
+  explicit Checkpoints(std::filesystem::path folder);
+
+  /// Whether there is none yet.
+  bool none() const;
 
   /// Writes over the older one.
-  void write(const Packing& packing, const std::string& case_text, const std::vector<RestingState>& reached);
+  void write(const Packing& packing, const std::string& case_text, const std::vector<RestingState>& reached,
+             const RestWatch& watch);
 
   /// The newer of those that can be read; throws InputError naming both faults when none can.
   static Checkpoint read_newest(const std::filesystem::path& folder);
@@ -63,11 +68,15 @@ class Checkpoints {
 /// The pressures at which a checkpointed run had come to rest.
 std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint);
 
-/// Saves a checkpoint every so many minutes, and when asked to.
+/// The looks of the last window of a checkpointed run.
+std::deque<RestWatch::Look> window_of(const Checkpoint& checkpoint);
+
+/// Saves a checkpoint every so many minutes, and when asked to; a state that has diverged it refuses, so that
+/// the last good one stays, and ends the run.
 class SaveCheckpoint final : public Event {
  public:
   SaveCheckpoint(Checkpoints& checkpoints, std::string case_text, const std::vector<RestingState>& reached,
-                 double minutes, std::atomic<bool>& asked);
+                 const RestWatch& watch, double minutes, std::atomic<bool>& asked);
   const char* name() const override { return "checkpoint"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
@@ -79,6 +88,7 @@ class SaveCheckpoint final : public Event {
   Checkpoints& checkpoints_;
   std::string case_text_;
   const std::vector<RestingState>& reached_;
+  const RestWatch& watch_;
   std::chrono::duration<double> period_;
   std::atomic<bool>& asked_;
   Clock::time_point last_ = Clock::now();

@@ -38,7 +38,7 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
     case Verdict::jammed:
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
     case Verdict::diverged:
-      return Diverged::reason(m);
+      break;
     case Verdict::interrupted:
       return "stopped by a signal; resume goes on";
     case Verdict::budget:
@@ -46,6 +46,43 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
   }
   const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
   return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
+}
+
+/// How a run ended, and what broke it if something did.
+struct Outcome {
+  Verdict verdict;
+  std::string failure;
+};
+
+/// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
+Outcome run_to_outcome(Observation& now, const Events& events, std::atomic<bool>& attention) {
+  try {
+    const Verdict verdict = compact(now, events, &attention);
+    const std::string failure = Diverged::reason(now.measures());
+    return {failure.empty() ? verdict : Verdict::diverged, failure};
+  } catch (const NumericalFailure& error) {
+    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now.step())};
+  }
+}
+
+Result result_of(const Outcome& outcome, Observation& now, const Events& events, const RestWatch& watch,
+                 const Case& c) {
+  Result result;
+  result.verdict = outcome.verdict;
+  result.measures = now.measures();
+  result.rest = watch.report();
+  result.reason =
+      outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, c) : outcome.failure;
+  result.rattlers_stilled = count_of<StillRattlers>(events);
+  result.flips = count_of<Flip>(events);
+  result.state_hash = state_hash(now.packing());
+  for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);
+  const Model& model = now.simulation().model();
+  result.time_step = model.time_step;
+  result.pressure = model.barostat.pressure;
+  result.inertia = model.barostat.inertia;
+  result.threads = now.simulation().threads();
+  return result;
 }
 
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
@@ -84,6 +121,8 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   if (r.phi_J())
     text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,
                         c.contact.friction);
+  else if (r.verdict == Verdict::diverged)
+    text += "phi       none: the last good state is that of the checkpoint\n";
   else
     text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
   text +=
@@ -106,16 +145,17 @@ ExitCode run_case(const RunOrder& order, Console console) {
   const std::string case_text = resolved_toml(c);
   write_file(order.folder / "case.resolved.toml", case_text);
 
-  const bool fresh = !order.continued;
-  const Packing start = fresh ? start_of(c) : order.continued->packing;
+  const Packing& start = order.start;
   const int threads = c.compute.threads ? *c.compute.threads : threads_for(start.size());
   const std::unique_ptr<Simulation> simulation = make_simulation(model_of(c, start), start, threads);
   Observation now(*simulation, backbone_threshold_of(c));
   RestWatch watch(rest_criteria_of(c));
-  Checkpoints checkpoints(order.folder);
-  std::vector<RestingState> reached;
-  if (!fresh) reached = resting_states_of(*order.continued);
+  watch.restore(order.window);
+  std::vector<RestingState> reached = order.reached;
   if (!reached.empty()) simulation->set_pressure(c.compaction.pressure.at(reached.size()));
+  Checkpoints checkpoints(order.folder);
+  // Whatever happens, there is a good state to go back to.
+  if (checkpoints.none()) checkpoints.write(now.packing(), case_text, reached, watch);
   Requests requests;
   const auto begin = Clock::now();
 
@@ -125,35 +165,23 @@ ExitCode run_case(const RunOrder& order, Console console) {
   if (order.walltime) context.deadline = begin + *order.walltime;
   const Events events = schedule(context);
   const SignalGuard guard(requests);
-  const Verdict verdict = compact(now, events, &requests.attention);
+  const Outcome outcome = run_to_outcome(now, events, requests.attention);
   for (const auto& event : events)
     if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
 
-  Result result;
-  result.verdict = verdict;
-  result.measures = now.measures();
-  result.rest = watch.report();
-  result.reason = reason_of(verdict, result.measures, result.rest, c);
-  result.reached = reached;
-  result.rattlers_stilled = count_of<StillRattlers>(events);
-  result.flips = count_of<Flip>(events);
-  result.state_hash = state_hash(now.packing());
-  for (Species s : start.species) ++(s == Species::large ? result.large : result.small);
-  result.time_step = simulation->model().time_step;
-  result.pressure = simulation->model().barostat.pressure;
-  result.inertia = simulation->model().barostat.inertia;
-  result.threads = threads;
-  result.steps_here = simulation->step() - start.step;
+  Result result = result_of(outcome, now, events, watch, c);
+  result.steps_here = now.step() - start.step;
   result.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached);
-  if (verdict == Verdict::jammed)
+  result.reached = reached;
+  if (outcome.verdict == Verdict::jammed)
     result.reached.push_back({result.pressure, result.measures.phi, now.step()});
+  if (outcome.verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached, watch);
   write_outputs({c, now.packing(), result}, order.folder);
   const std::string text = summary(result, c, order.folder);
   write_file(order.folder / "log.txt", text);
-  draw(now.packing(), c, order.folder, console);
+  if (outcome.verdict != Verdict::diverged) draw(now.packing(), c, order.folder, console);
   console.out << text << std::flush;
-  return exit_code_of(verdict);
+  return exit_code_of(outcome.verdict);
 }
 
 }  // namespace furnas

@@ -6,7 +6,6 @@
 
 #include "cases/commands/command.h"
 #include "io/case.h"
-#include "io/checkpoint.h"
 #include "io/result.h"
 
 namespace furnas {
@@ -14,8 +13,10 @@ namespace furnas {
 /// A run to do: its case, where its files go and where it begins.
 struct RunOrder {
   Case resolved_case;
-  std::filesystem::path folder;         ///< exists already
-  std::optional<Checkpoint> continued;  ///< where to go on; absent: at the start of the case
+  std::filesystem::path folder;        ///< exists already
+  Packing start;                       ///< of the case, or where a stopped run goes on
+  std::vector<RestingState> reached;   ///< before it was stopped
+  std::deque<RestWatch::Look> window;  ///< likewise
   std::optional<std::chrono::seconds> walltime;
 };
 

@@ -47,7 +47,7 @@ Events schedule(RunContext& run) {
   if (can_rest) add(std::make_unique<AtRest>(run.watch));
   if (can_rest && c.stop.criterion == "rest") add(std::make_unique<StillRattlers>(run.watch));
   add(std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
-  add(std::make_unique<SaveCheckpoint>(run.checkpoints, run.case_text, run.reached,
+  add(std::make_unique<SaveCheckpoint>(run.checkpoints, run.case_text, run.reached, run.watch,
                                        c.output.checkpoint_minutes, run.requests.save));
   add(std::make_unique<Budget>(c.stop.steps));
   if (run.deadline) add(std::make_unique<WallTime>(*run.deadline));

@@ -45,8 +45,12 @@ const Measures& Observation::measures() {
 }
 
 void Observation::replace(const Packing& packing) {
-  simulation_.load(packing);
   taken_at_ = -1;
+  try {
+    simulation_.load(packing);
+  } catch (const InputError& error) {
+    throw NumericalFailure(error.what());  // nobody put it in: the run came to it
+  }
 }
 
 std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (step / period + 1) * period; }

@@ -28,7 +28,7 @@ class Observation {
   const Packing& packing();
   const Measures& measures();
 
-  /// Puts a changed packing in the place of the running one.
+  /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
   void replace(const Packing& packing);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 
@@ -10,19 +11,21 @@
 namespace furnas {
 namespace {
 
-/// The rows of an older file up to a step, with its header.
+/// The rows of an older file up to a step, with its header. A row that a crash has cut ends them.
 std::string rows_until(const std::filesystem::path& path, std::int64_t step) {
+  const std::string header = history_columns();
+  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
+  std::string kept = header + "\n";
   std::ifstream in(path);
-  std::string kept;
   std::string line;
-  if (std::getline(in, line) && line == history_columns()) kept = line + "\n";
-  while (!kept.empty() && std::getline(in, line)) {
+  if (!std::getline(in, line) || line != header) return kept;
+  while (std::getline(in, line) && !in.eof() && commas(line) == commas(header)) {
     std::int64_t row = 0;
-    std::from_chars(line.data(), line.data() + line.size(), row);
-    if (row > step) break;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), row);
+    if (error != std::errc{} || row > step) break;
     kept += line + "\n";
   }
-  return kept.empty() ? std::string(history_columns()) + "\n" : kept;
+  return kept;
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ Command resume_command() {
     validate(order.resolved_case);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
     order.folder = options->folder;
-    order.continued = std::move(checkpoint);
+    order.start = std::move(checkpoint.packing);
+    order.reached = resting_states_of(checkpoint);
+    order.window = window_of(checkpoint);
     return run_case(order, console);
   };
   return command;

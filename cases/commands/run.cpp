@@ -8,7 +8,9 @@
 #include "cases/preflight.h"
 #include "cases/run_case.h"
 #include "cases/run_folder.h"
+#include "cases/scenario.h"
 #include "engine/base/require.h"
+#include "engine/state/validate.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
 
@@ -53,6 +55,8 @@ Command run_command() {
       console.err << "furnas: refused: " << preflight.refusal << '\n';
       return ExitCode::refused;
     }
+    order.start = start_of(order.resolved_case);
+    validate(order.start);
     order.folder = create_run_folder(options->out, options->file);
     return run_case(order, console);
   };

@@ -16,6 +16,11 @@ struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The physics has left what can be computed, such as a cell that collapsed: an outcome, not a mistake.
+struct NumericalFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Throws ContractError with the caller's place unless `holds`.
 inline void require(bool holds, const char* what,
                     std::source_location place = std::source_location::current()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,16 +21,18 @@ struct RestCriteria {
   std::int64_t window = 10'000;       ///< [steps]
 };
 
-/// The criteria as they stand.
+/// The criteria as they stand; infinite before the first look.
 struct RestReport {
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
+
   std::int64_t backbone{};  ///< particles in it; nothing rests without one
-  double stress_error{};
-  double force_imbalance{};
-  double kinetic_energy{};  ///< [k_n d_s^2]
-  double strain_drift{};    ///< per 1e5 steps, over one window or ten; infinite until one is full
-  bool resting{};           ///< all held at every look of the window
-  bool loosely{};           ///< resting, but with the loose limit of the force balance
-  std::string waiting_for;  ///< the criterion that is furthest from its limit; empty when resting
+  double stress_error = unknown;
+  double force_imbalance = unknown;
+  double kinetic_energy = unknown;  ///< [k_n d_s^2]
+  double strain_drift = unknown;    ///< per 1e5 steps, over one window or ten; infinite until one is full
+  bool resting{};                   ///< all held at every look of the window
+  bool loosely{};                   ///< resting, but with the loose limit of the force balance
+  std::string waiting_for;          ///< the criterion that is furthest from its limit; empty when resting
 };
 
 /// Largest |P_aa - p_a|/p_a and |P_ab|/p_a among the stresses that the cell can answer to.
@@ -40,7 +43,17 @@ class RestWatch {
  public:
   explicit RestWatch(const RestCriteria& criteria) : criteria_(criteria) {}
 
+  /// What is kept of a look.
+  struct Look {
+    std::int64_t step{};
+    Triangle edges;        ///< [d_s]
+    bool holds{};          ///< all criteria held, save the drift
+    bool holds_loosely{};  ///< with the loose limit of the force balance
+  };
+
+  /// Steps between two looks, and those that a full window spans.
   std::int64_t period() const { return std::max<std::int64_t>(criteria_.window / looks, 1); }
+  std::int64_t window_length() const { return looks * period(); }
 
   /// Takes a look, once a step.
   const RestReport& look(Observation& now);
@@ -50,15 +63,13 @@ class RestWatch {
   /// Forgets the window, because the pressure has changed.
   void restart() { window_.clear(); }
 
+  /// The looks kept so far, oldest first, and their return when a run goes on.
+  const std::deque<Look>& window() const { return window_; }
+  void restore(std::deque<Look> window) { window_ = std::move(window); }
+
  private:
   static constexpr std::int64_t looks = 10;             // a window
   static constexpr std::int64_t patience = 10 * looks;  // with the loose limit
-  struct Look {
-    std::int64_t step;
-    Triangle edges;
-    bool holds;
-    bool holds_loosely;
-  };
   double drift_over(std::int64_t count) const;
   bool all_hold(bool Look::*holds, std::int64_t count) const;
   std::string furthest() const;

@@ -13,9 +13,7 @@ class StillRattlers final : public Event {
  public:
   explicit StillRattlers(RestWatch& watch) : watch_(watch) {}
   const char* name() const override { return "still the rattlers"; }
-  std::int64_t next(std::int64_t step) const override {
-    return next_multiple(step, watch_.criteria().window);
-  }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.window_length()); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 

@@ -3,10 +3,13 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <tuple>
 
 #include "engine/base/parallel.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 namespace {
@@ -17,6 +20,20 @@ std::int64_t bins_along(double height, double cutoff) {
   return static_cast<std::int64_t>(std::clamp(std::floor(height / cutoff), 1.0, most));
 }
 
+/// Rows of the list tell apart thirty cells, and beyond a few nothing physical is left.
+void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
+  constexpr double most_cells = 30;
+  for (double height : heights) {
+    if (!std::isfinite(height) || !std::isfinite(cutoff))
+      throw NumericalFailure(
+          "the edges of the cell are no numbers any more: it is too light or pressed too hard");
+    if (cutoff >= most_cells * height)
+      throw NumericalFailure("the cell has collapsed: between two of its faces are " +
+                             std::to_string(height) + " d_s, and spheres meet at " + std::to_string(cutoff) +
+                             " d_s");
+  }
+}
+
 }  // namespace
 
 Bins sort_into_bins(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
@@ -24,6 +41,7 @@ Bins sort_into_bins(const Triangle& edges, double cutoff, const std::vector<Frac
   Bins bins;
   const Vec3<double> height = heights(edges);
   const std::array<double, 3> h{height.x, height.y, height.z};
+  refuse_collapsed(h, cutoff);
   for (int axis = 0; axis < 3; ++axis) {
     bins.count[axis] = bins_along(h[axis], cutoff);
     bins.reach[axis] =

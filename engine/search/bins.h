@@ -34,7 +34,8 @@ struct Bins {
 };
 
 /// Sorts particles [first, last) into bins no narrower than `cutoff` where the cell allows it; where it
-/// does not, one bin, whose `reach` counts the images.
+/// does not, one bin, whose `reach` counts the images. Throws NumericalFailure when the cell is less than a
+/// thirtieth of the cutoff thick.
 Bins sort_into_bins(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
                     std::size_t first, std::size_t last);
 

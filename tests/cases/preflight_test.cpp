@@ -1,0 +1,97 @@
+#include "cases/preflight.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace furnas {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Restitution, FollowsTheClosedFormOfEachPair) {
+  struct Pair {
+    double a, b, restitution;
+  };
+  for (const Pair& pair : {Pair{1, 1, 0.66685}, Pair{1, 2, 0.58055}, Pair{1, 40, 0.56111},
+                           Pair{2, 2, 0.29546}, Pair{3, 3, 0.06113}}) {
+    EXPECT_NEAR(restitution(pair.a, pair.b, 0.5), pair.restitution, 5e-6);
+    EXPECT_EQ(restitution(pair.b, pair.a, 0.5), restitution(pair.a, pair.b, 0.5));
+  }
+  EXPECT_EQ(restitution(1, 1, 0), 1);
+}
+
+/// Two large spheres creep apart from alpha = 3.94 on: 1/m_eff = gamma^2/4.
+TEST(Restitution, VanishesWhereThePairIsOverdamped) {
+  const double limit = std::cbrt(2 * 16 * 6 / std::numbers::pi);
+  EXPECT_NEAR(limit, 3.94, 0.005);
+  EXPECT_GT(restitution(0.999 * limit, 0.999 * limit, 0.5), 0);
+  EXPECT_EQ(restitution(1.001 * limit, 1.001 * limit, 0.5), 0);
+}
+
+Case bidisperse() {
+  Case c;
+  c.mixture.size_ratio = 4;
+  c.mixture.small_fraction = 0.3;
+  c.mixture.large = 100;
+  return c;
+}
+
+TEST(Preflight, CountsTheSpheresAndTheirPairs) {
+  const std::string report = check_case(bidisperse()).report;
+  EXPECT_THAT(report, HasSubstr("particles 2843: 100 large of diameter 4, 2743 small of diameter 1"));
+  EXPECT_THAT(report, HasSubstr("small-small  restitution 0.6669"));
+  EXPECT_THAT(report, HasSubstr("small-large  restitution 0.56"));
+  EXPECT_THAT(report, HasSubstr("large-large  restitution 0 (overdamped)"));
+  const std::string mono = check_case({}).report;
+  EXPECT_THAT(mono, HasSubstr("particles 1000: 1000 large of diameter 1, 0 small"));
+  EXPECT_THAT(mono, HasSubstr("large-large  restitution 0.6669"));
+  EXPECT_THAT(mono, Not(HasSubstr("small-")));
+}
+
+/// w dt of the stiffest pair: the tangential mode with friction, the normal one without.
+TEST(Preflight, ComparesTheStepWithTheStiffestPair) {
+  const double dt = 0.02 * std::numbers::pi / std::sqrt(12 / std::numbers::pi - 0.25 / 4);
+  const double inverse_mass = 12 / std::numbers::pi;  // 1/m_eff of two small spheres
+  const auto ratio = [](double x) { return std::to_string(x).substr(0, 4); };
+  EXPECT_THAT(check_case({}).report,
+              HasSubstr("time step 0.032415, " + ratio(dt * std::sqrt(3.5 * inverse_mass))));
+  Case frictionless;
+  frictionless.contact.friction = 0;
+  EXPECT_THAT(check_case(frictionless).report,
+              HasSubstr("time step 0.032415, " + ratio(dt * std::sqrt(inverse_mass))));
+}
+
+TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
+  const char* const remark = "spheres meet several images of each other";
+  Case c;
+  c.mixture.large = 5;
+  EXPECT_THAT(check_case(c).report, HasSubstr(remark));
+  c.mixture.large = 20;
+  EXPECT_THAT(check_case(c).report, Not(HasSubstr(remark)));
+  EXPECT_TRUE(check_case(c).refusal.empty());
+}
+
+TEST(Preflight, RefusesWhatTheMachineCannotHold) {
+  Case c = bidisperse();
+  EXPECT_TRUE(check_case(c).refusal.empty());
+  c.mixture.size_ratio = 100;
+  c.mixture.small_fraction = 0.5;
+  c.mixture.large = 2000;
+  const std::string refusal = check_case(c).refusal;  // 2e9 spheres
+  EXPECT_THAT(refusal, HasSubstr(" GB"));
+  EXPECT_THAT(refusal, HasSubstr("mixture.large = 2000"));
+}
+
+TEST(Preflight, MemoryGrowsWithTheSpheres) {
+  EXPECT_GT(expected_memory(1e6, true), expected_memory(1e6, false));
+  EXPECT_NEAR(expected_memory(2e6, true) - expected_memory(1e6, true), 1e6 * 1150, 1e9 * 0.5);
+  EXPECT_GT(expected_memory(0, true), 0);
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,163 @@
+#include "engine/events/limits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/base/require.h"
+#include "engine/start/mixture.h"
+#include "tests/engine/analysis/graph_packing.h"
+#include "tests/engine/fake_simulation.h"
+
+namespace furnas {
+namespace {
+
+using testing::HasSubstr;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Packing gas(double start_fraction = 0.2) {
+  return dilute_start({.large = 60, .start_fraction = start_fraction});
+}
+
+Model model_at(double pressure) {
+  Model model;
+  model.law = HookeSynchronized{{.friction = 0.3}};
+  model.barostat.pressure = pressure;
+  model.barostat.inertia = 60;
+  return model;
+}
+
+/// What an InputError says that loading a packing throws; empty if it throws none.
+std::string refusal(const Packing& packing) {
+  try {
+    make_simulation(model_at(1e-4), packing);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Loading, RefusesWhatIsNoNumberByTheParticle) {
+  EXPECT_EQ(refusal(gas()), "");
+  for (double bad : {nan, infinity, -infinity}) {
+    for (auto list : {&Packing::velocity, &Packing::spin, &Packing::force, &Packing::torque}) {
+      Packing p = gas();
+      (p.*list)[41].y = bad;
+      EXPECT_THAT(refusal(p),
+                  HasSubstr("particle 42 has a velocity, spin, force or torque that is not a number"));
+    }
+  }
+  Packing p = gas();
+  p.cell.edges.xz = nan;
+  EXPECT_THAT(refusal(p), HasSubstr("the cell has no volume"));
+  p = gas();
+  p.fraction[7] = p.fraction[3];
+  EXPECT_THAT(refusal(p), HasSubstr("particle 4 and particle 8 have the same centre"));
+}
+
+TEST(Diverged, SeesNumbersThatAreNone) {
+  const auto reason = [](auto change) {
+    Measures m;
+    m.step = 3000;
+    change(m);
+    return Diverged::reason(m);
+  };
+  EXPECT_EQ(reason([](Measures&) {}), "");
+  for (double bad : {nan, infinity, -infinity}) {
+    const std::string expected = "a number of the state is not finite at step 3000";
+    EXPECT_EQ(reason([=](Measures& m) { m.kinetic_energy = bad; }), expected);
+    EXPECT_EQ(reason([=](Measures& m) { m.mean_force = bad; }), expected);
+    EXPECT_EQ(reason([=](Measures& m) { m.pressure = bad; }), expected);
+    EXPECT_EQ(reason([=](Measures& m) { m.cell.edges.yz = bad; }), expected);
+    EXPECT_EQ(reason([=](Measures& m) { m.cell.rate.xx = bad; }), expected);
+  }
+}
+
+/// Whatever of a particle or a contact is no number, the measures show it.
+TEST(Diverged, NoNumberIsOverlooked) {
+  const auto diverged = [](auto change) {
+    FakeSimulation simulation([change](std::int64_t) {
+      Packing p = packing_of_graph(5, clique(5));
+      change(p);
+      return p;
+    });
+    Observation now(simulation, 3);
+    return Diverged().due(now);
+  };
+  EXPECT_FALSE(diverged([](Packing&) {}));
+  EXPECT_TRUE(diverged([](Packing& p) { p.velocity[2].z = nan; }));
+  EXPECT_TRUE(diverged([](Packing& p) { p.spin[4].x = infinity; }));
+  EXPECT_TRUE(diverged([](Packing& p) { p.contacts[3].force.y = nan; }));
+  EXPECT_TRUE(diverged([](Packing& p) { p.cell.edges.zz = nan; }));
+  EXPECT_TRUE(diverged([](Packing& p) { p.cell.rate.xy = infinity; }));
+}
+
+/// How a run at a pressure ends: the verdict's reason, or what a step cannot do any more.
+std::string end_of_run_at(double pressure) {
+  const auto simulation = make_simulation(model_at(pressure), gas());
+  Observation now(*simulation, 3);
+  Events events;
+  events.push_back(std::make_unique<Diverged>());
+  events.push_back(std::make_unique<Budget>(5000));
+  try {
+    return compact(now, events) == Verdict::diverged ? Diverged::reason(now.measures()) : "budget";
+  } catch (const NumericalFailure& failure) {
+    return failure.what();
+  }
+}
+
+/// A pressure like the stiffness of the spheres squeezes them into each other, a higher one collapses the
+/// cell.
+TEST(Diverged, EndsACollapseWithASentence) {
+  EXPECT_THAT(end_of_run_at(0.5),
+              testing::MatchesRegex("the spheres fill .* of the cell at step [0-9]+; .*"));
+  for (double pressure : {10.0, 1e6})
+    EXPECT_THAT(end_of_run_at(pressure),
+                testing::AnyOf(HasSubstr("the cell has collapsed"), HasSubstr("the spheres fill")));
+}
+
+TEST(Diverged, LetsAGasBe) { EXPECT_EQ(end_of_run_at(1e-12), "budget"); }
+
+TEST(Budget, EndsAtItsStepAndNotBefore) {
+  for (std::int64_t last : {0, 1, 7, 2500}) {
+    FakeSimulation simulation([](std::int64_t) { return packing_of_graph(1, {}); });
+    Observation now(simulation, 3);
+    Events events;
+    events.push_back(std::make_unique<Budget>(last));
+    EXPECT_EQ(compact(now, events), Verdict::budget);
+    EXPECT_EQ(now.step(), last);
+  }
+}
+
+/// A run that goes on with its steps already spent takes none.
+TEST(Budget, SpentBeforeItBegins) {
+  FakeSimulation simulation([](std::int64_t) { return packing_of_graph(1, {}); });
+  simulation.advance(500, nullptr);
+  Observation now(simulation, 3);
+  Events events;
+  events.push_back(std::make_unique<Budget>(100));
+  EXPECT_EQ(compact(now, events), Verdict::budget);
+  EXPECT_EQ(now.step(), 500);
+}
+
+TEST(Interrupted, EndsWhenAskedTo) {
+  FakeSimulation simulation([](std::int64_t) { return packing_of_graph(1, {}); });
+  Observation now(simulation, 3);
+  std::atomic<bool> stop{false};
+  Events events;
+  events.push_back(std::make_unique<Interrupted>(stop));
+  events.push_back(std::make_unique<Budget>(5000));
+  EXPECT_EQ(compact(now, events), Verdict::budget);
+  EXPECT_EQ(now.step(), 5000);
+  stop = true;
+  EXPECT_EQ(compact(now, events), Verdict::budget);  // no step is left in which it could be asked
+  events.back() = std::make_unique<Budget>(9000);
+  EXPECT_EQ(compact(now, events), Verdict::interrupted);
+  EXPECT_EQ(now.step(), 6000);
+}
+
+}  // namespace
+}  // namespace furnas
