@@ -92,12 +92,19 @@ TEST(Resume, FallsBackToTheOlderCheckpoint) {
   EXPECT_EQ(runs.result("a")["state_hash"], hex(state_hash(newest)));
 }
 
-/// Sends a signal to this process, once the run has begun to write its history.
-std::jthread signal_during(const Runs& runs, int signal, const std::string& folder) {
-  return std::jthread([=, history = runs.path(folder + "/history.csv")] {
-    while (!fs::exists(history) || fs::file_size(history) < 2000)
+/// Sends a signal to this process once the run has written a few rows of its history, unless it has ended.
+std::jthread signal_during(const Runs& runs, int signal, const std::string& name) {
+  return std::jthread([=, folder = fs::path(runs.path(name))](const std::stop_token& stop) {
+    const auto begun = [&] {
+      std::error_code missing;
+      const auto size = fs::file_size(folder / "history.csv", missing);
+      return !missing && size > 2000;
+    };
+    while (!begun()) {
+      if (stop.stop_requested()) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ::kill(::getpid(), signal);
+    }
+    if (!fs::exists(folder / "result.json")) ::kill(::getpid(), signal);
   });
 }
 
