@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/require.h"
 #include "engine/search/merge.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/listed.h"
