@@ -111,7 +111,7 @@ TEST(LegacyLaw, AgreesOnAllParticlesThatDoNotTouchByRounding) {
   const Packing theirs = frames_of(reference)[0];
   const Packing ours = simulation_of(reference)->packing();
   std::set<std::size_t> marginal;
-  constexpr double by_rounding = 1e-13;
+  constexpr double by_rounding = 2e-14;
   for (std::size_t i = 0; i < ours.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Vec3<double> branch = ours.cell.edges * nearest_difference(ours.fraction[i], ours.fraction[j]);
@@ -121,7 +121,7 @@ TEST(LegacyLaw, AgreesOnAllParticlesThatDoNotTouchByRounding) {
       }
     }
   EXPECT_GT(marginal.size(), 0U);
-  EXPECT_LT(marginal.size(), 150U);
+  EXPECT_LT(marginal.size(), ours.size() / 8);
   EXPECT_LT(error(ours.force, theirs.force, marginal), 1e-12);
   EXPECT_LT(error(ours.torque, theirs.torque, marginal), 1e-12);
 }
