@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include "cases/build_info.h"
 #include "cases/progress.h"
 #include "cases/recording.h"
 #include "cases/scenario.h"
@@ -18,6 +19,7 @@
 #include "engine/state/fingerprint.h"
 #include "io/atomic_file.h"
 #include "io/case_file.h"
+#include "io/manifest.h"
 #include "io/outputs.h"
 #include "viz/picture.h"
 
@@ -180,6 +182,8 @@ ExitCode run_case(const RunOrder& order, Console console) {
   const std::string text = summary(result, c, order.folder);
   write_file(order.folder / "log.txt", text);
   if (outcome.verdict != Verdict::diverged) draw(now.packing(), c, order.folder, console);
+  const BuildInfo& build = build_info();
+  write_manifest(order.folder, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
   console.out << text << std::flush;
   return exit_code_of(outcome.verdict);
 }

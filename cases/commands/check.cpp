@@ -16,7 +16,7 @@ Command check_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "check";
-  command.does = "Say what a case would do, without running it";
+  command.does = "say what a case would do, without running it";
   command.example = "furnas check cases/paper.toml";
   command.setup = [options](CLI::App& app) {
     app.add_option("CASE", options->file, "case file")->required();

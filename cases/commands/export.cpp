@@ -16,7 +16,7 @@ Command export_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "export";
-  command.does = "Write a packing in another format";
+  command.does = "write a packing in another format";
   command.example = "furnas export runs/first_packing lammps-data";
   command.setup = [options](CLI::App& app) {
     app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();

@@ -24,7 +24,7 @@ Command import_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "import";
-  command.does = "Read a packing, say what it is and keep it as a file that furnas starts from";
+  command.does = "read a packing, say what it is and keep it as a file that furnas starts from";
   command.example = "furnas import packing.lammpstrj --out start.vtp";
   command.setup = [options](CLI::App& app) {
     app.add_option("FILE", options->source, "packing in one of: " + names_of_read_formats())->required();

@@ -18,7 +18,7 @@ Command render_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "render";
-  command.does = "Draw a packing, without a display";
+  command.does = "draw a packing, without a display";
   command.example = "furnas render runs/first_packing --out packing.png --transparent";
   command.setup = [options](CLI::App& app) {
     app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();

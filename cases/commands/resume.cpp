@@ -23,7 +23,7 @@ Command resume_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "resume";
-  command.does = "Go on with a stopped run";
+  command.does = "go on with a stopped run";
   command.example = "furnas resume runs/first_packing --threads 2";
   command.setup = [options](CLI::App& app) {
     app.add_option("DIR", options->folder, "folder of the run")->required();

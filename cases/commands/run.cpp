@@ -32,7 +32,7 @@ Command run_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "run";
-  command.does = "Run a case to its verdict";
+  command.does = "run a case to its verdict";
   command.example = "furnas run cases/first_packing.toml --set contact.friction=0.1 --threads 2";
   command.setup = [options](CLI::App& app) {
     app.add_option("CASE", options->file, "case file")->required();

@@ -1,0 +1,35 @@
+#include "io/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Each file stands in the manifest once, with its size; the same bytes have the same hash, others another.
+TEST(Manifest, NamesEachFileWithItsSizeAndHash) {
+  const fs::path folder = fs::path(testing::TempDir()) / "furnas_manifest";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "frames");
+  std::ofstream(folder / "a.txt") << "jammed";
+  std::ofstream(folder / "frames" / "b.txt") << "jammed";
+  std::ofstream(folder / "c.txt") << "jammer";
+  write_manifest(folder, "furnas test");
+  write_manifest(folder, "furnas test");  // does not list itself
+
+  const auto manifest = nlohmann::json::parse(std::ifstream(folder / "manifest.json"));
+  EXPECT_EQ(manifest.at("program"), "furnas test");
+  const auto& files = manifest.at("files");
+  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files.at("a.txt").at("bytes"), 6);
+  EXPECT_EQ(files.at("a.txt").at("xxh3"), files.at("frames/b.txt").at("xxh3"));
+  EXPECT_NE(files.at("a.txt").at("xxh3"), files.at("c.txt").at("xxh3"));
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace furnas
