@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/base/require.h"
 #include "tests/engine/laws/every_law.h"

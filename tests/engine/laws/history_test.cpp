@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/scenes.h"
@@ -139,37 +142,35 @@ TYPED_TEST(History, IsCutAsTheNormalForceFalls) {
   }
 }
 
-// T19: a contact that opens and closes again starts without history.
+// T19: a contact that opens and closes again starts without history: with the slip of its first step, no
+// more. A spinning sphere flies to and fro between another and its image, never far enough to leave the
+// neighbour list.
 TYPED_TEST(History, IsLostWhenTheContactOpens) {
-  const Model model = model_of<TypeParam>({.friction = 0.5});
-  const auto touching = [](double x, double v) {
-    return packing_of(cube(16), {{.position = {x, 8, 8}, .velocity = {v, 0, 0}}, {.position = {8, 8, 8}}});
-  };
-  Packing stuck = after(model, touching(8.99, 0), 1);
-  ASSERT_EQ(stuck.contacts.size(), 1u);
-  stuck.contacts[0].history = {0, 1e-3, 0};
-  const auto simulation = make_simulation(model, stuck);
-  simulation->advance(1);
-  EXPECT_NEAR(norm(simulation->packing().contacts[0].history), 1e-3, 1e-5);
-
-  const auto advance_until = [&](bool touching_again) {
-    for (int step = 0; step < 1000 && simulation->packing().contacts.empty() == touching_again; ++step)
-      simulation->advance(1);
-  };
-  Packing thrown = simulation->packing();
-  thrown.velocity = {{0.1, 0, 0}, {}};
-  simulation->load(thrown);
-  advance_until(false);
-  Packing back = simulation->packing();
-  ASSERT_TRUE(back.contacts.empty());
-  back.velocity = {{-0.1, 0, 0}, {}};
-  back.spin = {{}, {}};
-  back.fraction[0].y = back.fraction[1].y;  // head-on, so that the new contact has no slip of its own
-  back.fraction[0].z = back.fraction[1].z;
-  simulation->load(back);
-  advance_until(true);
-  ASSERT_EQ(simulation->packing().contacts.size(), 1u);
-  EXPECT_LT(norm(simulation->packing().contacts[0].history), 1e-15);
+  Model model = model_of<TypeParam>({.normal_damping = 0, .tangential_damping = 0, .friction = no_sliding});
+  model.skin = 0.5;
+  const auto simulation = make_simulation(
+      model, packing_of({2.3, 16, 16, 0, 0, 0},
+                        {{.position = {1.15, 8, 8}, .velocity = {0.1, 0, 0}, .spin = {0, 0, 0.1}},
+                         {.position = {0, 8, 8}}}));
+  int meetings = 0;
+  double lost = 0;
+  Packing before = simulation->packing();
+  for (int step = 0; step < 800; ++step) {
+    simulation->advance(1);
+    const Packing now = simulation->packing();
+    if (before.contacts.empty() && !now.contacts.empty()) {
+      ++meetings;
+      const V n = now.contacts[0].branch * (1 / norm(now.contacts[0].branch));
+      const V v = before.velocity[0] - before.velocity[1];
+      const double slip = norm(v - dot(v, n) * n) + 0.5 * norm(before.spin[0] + before.spin[1]);
+      EXPECT_LE(norm(now.contacts[0].history), 1.01 * slip * paper_step) << step;
+    }
+    if (!before.contacts.empty() && now.contacts.empty())
+      lost = std::max(lost, norm(before.contacts[0].history));
+    before = now;
+  }
+  EXPECT_GT(meetings, 4);
+  EXPECT_GT(lost, 0.01);  // several times the slip of a step
 }
 
 // T19: histories survive a new list: with one in every step and with none on the way a packing keeps every

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/engine/closed_form.h"
 #include "tests/engine/laws/collision.h"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/scenes.h"
