@@ -6,18 +6,6 @@
 #include <limits>
 
 namespace furnas {
-namespace {
-
-/// |F - I| of the deformation F from one cell to another (Frobenius).
-double strain_between(const Triangle& from, const Triangle& to) {
-  const Triangle f = product(to, inverse(from));
-  const double xx = f.xx - 1;
-  const double yy = f.yy - 1;
-  const double zz = f.zz - 1;
-  return std::sqrt(xx * xx + yy * yy + zz * zz + f.yz * f.yz + f.xz * f.xz + f.xy * f.xy);
-}
-
-}  // namespace
 
 double stress_error(const Measures& m, const Barostat& bath) {
   const double p = bath.pressure;

@@ -44,12 +44,8 @@ double shrinkage(const Triangle& now, const Triangle& then) {
 }
 
 double shrinkage_bound(const Triangle& now, const Triangle& then) {
-  const Triangle f = product(now, inverse(then));
-  const double xx = f.xx - 1;
-  const double yy = f.yy - 1;
-  const double zz = f.zz - 1;
-  // sigma_min(F) >= 1 - |F - I|, and the Frobenius norm bounds the spectral one.
-  return std::sqrt(xx * xx + yy * yy + zz * zz + f.yz * f.yz + f.xz * f.xz + f.xy * f.xy);
+  return strain_between(then,
+                        now);  // sigma_min(F) >= 1 - |F - I|, and Frobenius' norm bounds the spectral one
 }
 
 Skin next_skin(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,

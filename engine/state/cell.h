@@ -48,6 +48,15 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// How far a cell has been deformed: |F - I| (Frobenius) with F = now then^-1.
+inline double strain_between(const Triangle& then, const Triangle& now) {
+  const Triangle f = product(now, inverse(then));
+  const double xx = f.xx - 1;
+  const double yy = f.yy - 1;
+  const double zz = f.zz - 1;
+  return std::sqrt(xx * xx + yy * yy + zz * zz + f.yz * f.yz + f.xz * f.xz + f.xy * f.xy);
+}
+
 /// Distances between opposite faces of the cell [d_s].
 inline Vec3<double> heights(const Triangle& h) {
   const Triangle g = inverse(h);
