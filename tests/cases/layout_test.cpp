@@ -46,7 +46,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"tests/engine", {"engine"}},
     {"tests/io", {"engine", "io"}},
     {"tests/viz", {"engine", "io", "viz"}},
-    {"tests/cases", {"engine", "io", "viz", "cases", "tests/io"}},
+    {"tests/cases", {"engine", "io", "viz", "cases", "tests/engine", "tests/io"}},
 };
 
 /// What the engine may not touch: files, the screen, the command line and the libraries of the other rooms.
