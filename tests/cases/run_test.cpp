@@ -45,9 +45,10 @@ TEST(Run, LeavesItsFolder) {
   ASSERT_EQ(runs.run("a", {"stop.steps=500"}).code, ExitCode::budget_spent);
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(runs.path("a"))) names.insert(entry.path().filename());
-  EXPECT_EQ(names, (std::set<std::string>{"a.checkpoint", "b.checkpoint", "case.resolved.toml", "cell.vtp",
-                                          "contacts.vtp", "history.csv", "log.txt", "packing.extxyz",
-                                          "packing.lammpstrj", "packing.vtp", "result.json"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"a.checkpoint", "b.checkpoint", "case.resolved.toml", "cell.vtp",
+                                   "contacts.vtp", "history.csv", "log.txt", "manifest.json",
+                                   "packing.extxyz", "packing.lammpstrj", "packing.vtp", "result.json"}));
   EXPECT_EQ(runs.files(), 2u);  // the case and the folder
   const Packing packing = saved(runs, "a");
   EXPECT_EQ(packing.step, 500);
