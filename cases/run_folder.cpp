@@ -19,7 +19,7 @@ fs::path first_free(const fs::path& wanted) {
 }  // namespace
 
 fs::path create_run_folder(const std::string& wanted, const fs::path& case_file) {
-  const fs::path folder = wanted.empty() ? first_free(fs::path("runs") / case_file.stem()) : fs::path(wanted);
+  fs::path folder = wanted.empty() ? first_free(fs::path("runs") / case_file.stem()) : fs::path(wanted);
   std::error_code error;
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder, error)))
     throw InputError(

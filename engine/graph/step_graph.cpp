@@ -20,7 +20,7 @@ StepGraph::StepGraph(StepGraph&&) noexcept = default;
 StepGraph& StepGraph::operator=(StepGraph&&) noexcept = default;
 
 bool StepGraph::overlap(const Range& a, const Range& b) {
-  const std::less<const char*> before;
+  const std::less<> before;  // a total order even for pointers into different objects
   return before(a.begin, b.begin + b.size) && before(b.begin, a.begin + a.size);
 }
 

@@ -31,16 +31,16 @@ class StepGraph {
 
   /// Adds a phase that calls function(arguments...) each step.
   template <class... Parameters, class... Arguments>
-  void phase(std::string title, void (*function)(Parameters...), Arguments&... arguments) {
-    add(std::move(title), nullptr, {access<Parameters>(arguments)...},
+  void phase(const std::string& title, void (*function)(Parameters...), Arguments&... arguments) {
+    add(title, nullptr, {access<Parameters>(arguments)...},
         [function, &arguments...] { function(arguments...); });
   }
 
   /// Adds a phase that runs only in steps in which `flag` is set when its turn comes.
   template <class... Parameters, class... Arguments>
-  void phase_when(const bool& flag, std::string title, void (*function)(Parameters...),
+  void phase_when(const bool& flag, const std::string& title, void (*function)(Parameters...),
                   Arguments&... arguments) {
-    add(std::move(title), &flag, {access<Parameters>(arguments)..., Access{range_of(flag), false}},
+    add(title, &flag, {access<Parameters>(arguments)..., Access{range_of(flag), false}},
         [function, &arguments...] { function(arguments...); });
   }
 

@@ -18,12 +18,12 @@ namespace furnas {
 
 namespace detail {
 template <class First, class... Laws>
-using variant_of = std::variant<Laws...>;
+using VariantOf = std::variant<Laws...>;
 }
 
 #define FURNAS_COMMA_LAW(Law) , Law
 /// One of the laws on the list, with its constants.
-using AnyLaw = detail::variant_of<void FURNAS_FOR_EACH_LAW(FURNAS_COMMA_LAW)>;
+using AnyLaw = detail::VariantOf<void FURNAS_FOR_EACH_LAW(FURNAS_COMMA_LAW)>;
 #undef FURNAS_COMMA_LAW
 
 }  // namespace furnas

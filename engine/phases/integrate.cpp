@@ -100,7 +100,7 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
     }
   };
   const CellDrag drag(cell.rate, particles.size(), time_step);
-  const Motion sum = ordered_sum<Motion>(particles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  const auto sum = ordered_sum<Motion>(particles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Motion part;
     for (std::size_t i = begin; i < end; ++i) {
       auto& p = particles[i];

@@ -19,7 +19,7 @@ static_assert(sizeof(Vec3<double>) == 3 * sizeof(double) && sizeof(Triangle) == 
 struct Key {
   std::uint32_t i{}, j{};
   std::array<std::int8_t, 3> image{};
-  friend auto operator<=>(const Key&, const Key&) = default;
+  friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT(modernize-use-nullptr): not ours
 };
 
 std::array<std::int8_t, 3> opposite(const std::array<std::int8_t, 3>& image) {
