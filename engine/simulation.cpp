@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/energy.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
 #include "engine/search/find_pairs.h"
@@ -89,6 +91,7 @@ void SimulationOf<Scene>::load(const Packing& p) {
   state_.step = p.step;
   state_.cell = p.cell;
   state_.stress = p.stress;
+  state_.ledger = p.ledger;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
   require(is_permutation(state_.id, count_), "the order names every particle once");
   for (std::uint32_t k : state_.id) {
@@ -101,9 +104,8 @@ void SimulationOf<Scene>::load(const Packing& p) {
     Load<Real, spins> load{};
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
-      constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
       particle.spin = narrow(p.spin[k]);
-      particle.inverse_inertia = Real(1 / (sphere_inertia * p.mass[k] * p.radius[k] * p.radius[k]));
+      particle.inverse_inertia = Real(1 / sphere_inertia(p.mass[k], p.radius[k]));
       load.torque = narrow(p.torque[k]);
     }
     state_.particles.push_back(particle);
@@ -116,6 +118,10 @@ void SimulationOf<Scene>::load(const Packing& p) {
     build_list(builds);
     p.order.empty() ? take_forces() : restore_contacts(p);
   });
+  if (p.order.empty()) {
+    state_.ledger = {};
+    state_.ledger.initial = energy(packing(), model_.law).total();
+  }
 }
 
 template <class Scene>
@@ -136,7 +142,7 @@ template <class Scene>
 void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                        state_.rows, state_.history, state_.stress.contacts);
+                        state_.rows, state_.history, state_.stress.contacts, work_.work);
   gather_and_kick<Scene>(no_step, state_.cell, state_.pairs, state_.rows, state_.loads, state_.particles,
                          state_.stress.motion);
 }
@@ -213,6 +219,7 @@ Packing SimulationOf<Scene>::packing() const {
   p.time = static_cast<double>(state_.step) * model_.time_step;
   p.cell = state_.cell;
   p.stress = state_.stress;
+  p.ledger = state_.ledger;
   p.order = state_.id;
   p.resize(count_);
   for (std::size_t n = 0; n < count_; ++n) {

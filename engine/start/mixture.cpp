@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "engine/base/random.h"
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 
 namespace furnas {
 namespace {
@@ -76,8 +76,6 @@ Vec3<double> random_place(std::uint64_t seed, std::uint64_t particle, std::uint3
   const auto unit = [](std::uint32_t w) { return (w + 0.5) / 4294967296.0; };
   return {unit(words[0]), unit(words[1]), unit(words[2])};
 }
-
-double sphere_volume(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
 
 }  // namespace
 
