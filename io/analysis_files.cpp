@@ -47,7 +47,9 @@ Json as_json(const ContactAnalysis& c) {
   Json json = {{"kind", name_of(c.kind)},
                {"contacts", c.normal.contacts},
                {"mean_normal_force", c.normal.mean},
-               {"mean_tangential_force", c.tangential.mean}};
+               {"largest_normal_force", c.normal.largest},
+               {"mean_tangential_force", c.tangential.mean},
+               {"largest_tangential_force", c.tangential.largest}};
   if (c.mobilisation) {
     json["mean_mobilisation"] = c.mobilisation->mean;
     json["sliding_share"] = c.mobilisation->sliding_share();
@@ -141,7 +143,8 @@ std::string rattlers_table(const AnalysisRecord& r) {
 
 void add_rows(std::string& text, const std::string& begin, const Histogram& h) {
   for (std::size_t b = 0; b < h.bins(); ++b)
-    text += fmt::format("{},{},{},{},{}\n", begin, h.edges[b], h.edges[b + 1], h.counts[b], h.density(b));
+    text += fmt::format("{},{:.12g},{:.12g},{},{}\n", begin, h.edges[b], h.edges[b + 1], h.counts[b],
+                        h.density(b));
 }
 
 std::string forces_table(const AnalysisRecord& r) {
@@ -182,8 +185,8 @@ std::string pair_correlation_table(const AnalysisRecord& r) {
   std::string text = "kind,low,high,count,g,error,neighbours\n";
   for (const PairCorrelation& p : r.analysis.pairs)
     for (std::size_t b = 0; b < p.g.size(); ++b)
-      text += fmt::format("{},{},{},{},{},{},{}\n", name_of(p.kind), p.edges[b], p.edges[b + 1], p.counts[b],
-                          p.g[b], p.error[b], p.neighbours[b]);
+      text += fmt::format("{},{:.12g},{:.12g},{},{},{},{}\n", name_of(p.kind), p.edges[b], p.edges[b + 1],
+                          p.counts[b], p.g[b], p.error[b], p.neighbours[b]);
   return text;
 }
 

@@ -81,7 +81,7 @@ Chart forces_chart(const NetworkAnalysis& network, ForceDistribution ContactAnal
 
 Chart mobilisation_chart(const NetworkAnalysis& network, double friction) {
   Chart chart;
-  chart.x.title = fmt::format("|F_t| / (μ F_n),  μ = {}", friction);
+  chart.x.title = fmt::format("|F_t| / μF_n   (μ = {})", friction);
   chart.y.title = "probability density";
   chart.x.low = 0;
   chart.x.high = 1;
@@ -125,17 +125,22 @@ Chart rattlers_chart(const Analysis& a) {
 }
 
 Chart pair_correlation_chart(const std::vector<PairCorrelation>& pairs) {
-  constexpr double widest = 5;  // contact distances
+  constexpr double nearest = 0.8, widest = 5;  // contact distances
+  // The peak at contact is as high as the bins are narrow, and would flatten all else.
+  constexpr double highest = 4;
+  const bool one_size = pairs.size() == 1;
   Chart chart;
-  chart.x.title = "r / d_ab";
-  chart.y.title = "g_ab(r)";
-  chart.x.low = 0;
+  chart.x.title = one_size ? "r / d" : "r / d_{ab}";
+  chart.y.title = one_size ? "g(r)" : "g_{ab}(r)";
+  chart.x.low = nearest;
   chart.y.low = 0;
+  chart.y.high = highest;
   for (const PairCorrelation& p : pairs) {
     if (!p.kind) continue;  // its distances have no one contact distance to be measured by
     const Look look = look_of(p.kind);
     Series s{legend_of(pairs, p.kind), {}, {}, {}, look.colour, look.line};
     for (std::size_t b = 0; b < p.g.size() && p.centre(b) <= widest * p.contact; ++b) {
+      if (p.centre(b) < (nearest - 0.1) * p.contact) continue;
       s.x.push_back(p.centre(b) / p.contact);
       s.y.push_back(p.g[b]);
     }

@@ -10,6 +10,8 @@
 
 namespace furnas {
 
+/// Texts of charts may lower and raise letters: "F_n", "10^{-4}".
+
 /// One axis of a chart.
 struct ChartAxis {
   std::string title;                ///< what, and its unit
@@ -54,7 +56,8 @@ struct Chart {
 };
 
 /// The chart in pixels, smooth-edged. Needs no display. Throws InputError when there is no OpenGL or no such
-/// size, ContractError when x, y and error of a series differ in length.
+/// size, ContractError when x, y and error of a series differ in length or the ends of an axis are in
+/// disorder.
 Pixels render(const Chart& chart);
 
 /// render, to a PNG file; throws InputError also when the file cannot be written.

@@ -114,7 +114,7 @@ std::string network_text(const Analysis& a) {
                   a.large - backbone.large, a.large, a.small - backbone.small, a.small, a.backbone_threshold);
   text += fmt::format("forces    mean normal force of the backbone {:.4g}, largest {:.3g} times the mean\n",
                       together.normal.mean,
-                      together.normal.histogram.edges.empty() ? 0 : together.normal.histogram.edges.back());
+                      together.normal.mean > 0 ? together.normal.largest / together.normal.mean : 0);
   if (together.mobilisation) {
     text += fmt::format(
         "sliding   {:.2f} % of the contacts of the backbone; mobilisation {:.3f} on average (friction {})\n",

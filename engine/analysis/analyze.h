@@ -17,8 +17,8 @@ namespace furnas {
 struct AnalysisOptions {
   double friction = 0;         ///< mu that tangential forces are measured against; 0: there are none
   int backbone_threshold = 4;  ///< live contacts below which a particle is a rattler, 2 to 4
-  ForceBins force_bins;
-  PairCorrelationOptions pair_correlation;
+  ForceBins force_bins{};
+  PairCorrelationOptions pair_correlation{};
 };
 
 /// The forces and directions of some contacts: of one kind, or of all.

@@ -20,12 +20,13 @@ ForceDistribution distribution(const Packing& p, const Selection& contacts, cons
   found.contacts = static_cast<std::int64_t>(forces.size());
   if (!(sum > 0)) return found;
   found.mean = sum / static_cast<double>(forces.size());
-  double least = found.mean, most = found.mean;
+  double least = found.mean, most = 0;
   for (double& f : forces) {
     if (f > 0) least = std::min(least, f);
     most = std::max(most, f);
     f /= found.mean;
   }
+  found.largest = most;
   found.histogram = histogram(
       forces, bins.logarithmic ? logarithmic_edges(bins.per_decade, least / found.mean, most / found.mean)
                                : linear_edges(bins.width, most / found.mean));

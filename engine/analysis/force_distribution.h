@@ -18,6 +18,7 @@ struct ForceBins {
 struct ForceDistribution {
   std::int64_t contacts{};
   double mean{};        ///< <f> [k_n d_s]
+  double largest{};     ///< f of the contact that carries most [k_n d_s]
   Histogram histogram;  ///< of f/<f>; without bins where <f> is 0. Logarithmic bins leave zeros `below`.
 };
 

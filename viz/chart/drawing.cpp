@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viz/chart/layout.h"
+#include "viz/chart/text.h"
 
 namespace furnas {
 namespace {
@@ -25,10 +26,13 @@ class ChartDrawing {
       : chart_(chart), canvas_(canvas), size_(sizes_of(chart)), layout_(layout_of(chart)) {}
 
   void draw() {
-    canvas_.clip(layout_.frame);
-    for (const Series& s : chart_.series) draw(s);
-    canvas_.clip({});
     draw_frame();
+    for (const Series& s : chart_.series) {
+      canvas_.clip(layout_.frame);
+      draw_lines(s);
+      canvas_.clip({});
+      draw_markers(s);
+    }
     draw_titles();
     draw_legend();
   }
@@ -123,7 +127,7 @@ class ChartDrawing {
     thin({low, high});
   }
 
-  void draw(const Series& s) {
+  void draw_lines(const Series& s) {
     for (std::size_t k = 0; k < s.error.size(); ++k) draw_error_bar(s, k);
     Polyline line;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
@@ -134,8 +138,15 @@ class ChartDrawing {
         draw_styled(std::exchange(line, {}), s);
     }
     draw_styled(line, s);
-    for (std::size_t k = 0; k < s.x.size(); ++k)
-      if (const Spot p = spot(s.x[k], s.y[k]); visible(p)) draw_marker(p, s);
+  }
+
+  /// Whole ones, also where they reach over the frame.
+  void draw_markers(const Series& s) {
+    const auto& [left, bottom, right, top] = layout_.frame;
+    for (std::size_t k = 0; k < s.x.size(); ++k) {
+      const Spot p = spot(s.x[k], s.y[k]);
+      if (p.x > left - 1 && p.x < right + 1 && p.y > bottom - 1 && p.y < top + 1) draw_marker(p, s);
+    }
   }
 
   void draw_frame() {
@@ -146,22 +157,22 @@ class ChartDrawing {
       const double x = along_x(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
       thin({{x, bottom}, {x, bottom + length}});
       thin({{x, top}, {x, top - length}});
-      write({x, bottom - 0.8 * size_.gap}, tick.label, size_.label, {Across::centre, Along::top});
+      write(canvas_, {x, bottom - 1.2 * size_.gap}, tick.label, size_.label, {Across::centre, Along::top});
     }
     for (const Tick& tick : layout_.y_ticks) {
       const double y = along_y(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
       thin({{left, y}, {left + length, y}});
       thin({{right, y}, {right - length, y}});
-      write({left - 0.8 * size_.gap, y}, tick.label, size_.label, {Across::right, Along::centre});
+      write(canvas_, {left - 0.8 * size_.gap, y}, tick.label, size_.label, {Across::right, Along::centre});
     }
   }
 
   void draw_titles() {
     const auto& [left, bottom, right, top] = layout_.frame;
     const double x = (left + right) / 2, y = (bottom + top) / 2;
-    write({x, 1.2 * size_.gap}, chart_.x.title, size_.title, {Across::centre, Along::bottom});
-    write({size_.gap, y}, chart_.y.title, size_.title, {Across::centre, Along::top, true});
-    write({x, top + size_.gap}, chart_.title, size_.title, {Across::centre, Along::bottom});
+    write(canvas_, {x, 1.2 * size_.gap}, chart_.x.title, size_.title, {Across::centre, Along::bottom});
+    write(canvas_, {size_.gap, y}, chart_.y.title, size_.title, {Across::centre, Along::top, true});
+    write(canvas_, {x, top + size_.gap}, chart_.title, size_.title, {Across::centre, Along::bottom});
   }
 
   void draw_legend() {
@@ -174,13 +185,9 @@ class ChartDrawing {
       const double from = left + size_.gap, to = from + size_.symbol;
       draw_styled({{from, y}, {to, y}}, s);
       draw_marker({(from + to) / 2, y}, s);
-      write({to + size_.gap, y}, s.name, size_.label, {Across::left, Along::centre});
+      write(canvas_, {to + size_.gap, y}, s.name, size_.label, {Across::left, Along::centre});
       y -= size_.row;
     }
-  }
-
-  void write(const Spot& p, const std::string& text, double size, const TextPlace& place) {
-    if (!text.empty()) canvas_.text(p, text, size, place);
   }
 
   const Chart& chart_;

@@ -12,10 +12,13 @@ inline constexpr const char* font_name = "DejaVu Sans";
 /// Makes letters of a size [pixels], black.
 void set_font(vtkTextProperty& letters, double size);
 
-/// Width of a line of text of a size [pixels].
+/// How far a line of plain text of a size moves on what follows it [pixels].
 double text_width(const std::string& text, double size);
 
 /// Height of a capital letter or a digit, as a part of the size.
 inline constexpr double capital_height = 0.73;
+
+/// How far the deepest letters reach below the line, as a part of the size.
+inline constexpr double depth_of_letters = 0.24;
 
 }  // namespace furnas

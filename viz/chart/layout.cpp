@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/base/require.h"
-#include "viz/chart/font.h"
+#include "viz/chart/text.h"
 
 namespace furnas {
 namespace {
@@ -24,12 +24,16 @@ class Extent {
     high_ = std::max(high_, at);
   }
 
-  /// With the ends that the axis asks for, the others moved out to a mark.
-  Stretch stretch(int most) const {
+  /// With the ends that the axis asks for, the others moved out to a mark; the upper one leaves `headroom`
+  /// above the data, as a part of the stretch.
+  Stretch stretch(int most, double headroom) const {
     Stretch s{low_, high_};
     if (!(s.low <= s.high)) s = {0, axis_.logarithmic ? 0.0 : 1.0};
     if (axis_.low) s.low = shown(axis_, *axis_.low);
     if (axis_.high) s.high = shown(axis_, *axis_.high);
+    require(std::isfinite(s.low) && std::isfinite(s.high), "the ends of an axis can be shown on it");
+    require(!axis_.low || !axis_.high || s.low < s.high, "the ends of an axis are in order");
+    if (!axis_.high) s.high += headroom * std::max(0.0, s.high - s.low);
     if (!(s.high - s.low > 1e-12 * std::max(std::abs(s.low), std::abs(s.high)))) {
       const double half = axis_.logarithmic || s.low == 0 ? 0.5 : 0.1 * std::abs(s.low);
       if (!axis_.low) s.low -= half;
@@ -73,8 +77,8 @@ void find_stretches(const Chart& chart, ChartLayout& layout) {
       if (!chart.y.logarithmic) y.add(s.y[k] - s.error[k]);
     }
   }
-  layout.x = x.stretch(most_x_labels);
-  layout.y = y.stretch(most_y_labels);
+  layout.x = x.stretch(most_x_labels, 0);
+  layout.y = y.stretch(most_y_labels, 0.02);
 }
 
 std::vector<Tick> ticks_of(const ChartAxis& axis, const Stretch& stretch, int most) {
@@ -83,7 +87,7 @@ std::vector<Tick> ticks_of(const ChartAxis& axis, const Stretch& stretch, int mo
 
 double widest(const std::vector<Tick>& ticks, double size) {
   double most = 0;
-  for (const Tick& tick : ticks) most = std::max(most, text_width(tick.label, size));
+  for (const Tick& tick : ticks) most = std::max(most, width_of_text(tick.label, size));
   return most;
 }
 
@@ -95,7 +99,7 @@ void place_frame(const Chart& chart, ChartLayout& layout) {
   Box& frame = layout.frame;
   frame.left = 2 * size.gap + (chart.y.title.empty() ? 0 : 1.4 * size.title) + size.gap +
                widest(layout.y_ticks, size.label);
-  frame.bottom = 2 * size.gap + (chart.x.title.empty() ? 0 : 1.4 * size.title) + 1.2 * size.label;
+  frame.bottom = 2 * size.gap + (chart.x.title.empty() ? 0 : 1.4 * size.title) + size.label + 0.4 * size.gap;
   // Half of the last number stands beyond the frame.
   frame.right = chart.width - size.gap - 0.5 * widest(layout.x_ticks, size.label);
   frame.top = chart.height - 1.5 * size.gap - (chart.title.empty() ? 0 : 1.6 * size.title);
@@ -147,7 +151,7 @@ std::optional<std::array<double, 2>> legend_size(const Chart& chart) {
   double widest_name = 0, names = 0;
   for (const Series& s : chart.series) {
     if (s.name.empty()) continue;
-    widest_name = std::max(widest_name, text_width(s.name, size.label));
+    widest_name = std::max(widest_name, width_of_text(s.name, size.label));
     ++names;
   }
   if (names == 0 || chart.legend == LegendPlace::none) return {};

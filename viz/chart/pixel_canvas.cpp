@@ -51,13 +51,16 @@ class PixelCanvas final : public Canvas {
     painter_.DrawPolygon(numbers.data(), static_cast<int>(outline.size()));
   }
 
-  void text(const Spot& spot, const std::string& text, double size, const TextPlace& place) override {
+  void text(const Spot& left, const std::string& text, double size, bool upwards) override {
     vtkTextProperty& letters = *painter_.GetTextProp();
     set_font(letters, smoothing * size);
-    letters.SetJustification(static_cast<int>(place.across));
-    letters.SetVerticalJustification(static_cast<int>(place.along));
-    letters.SetOrientation(place.upwards ? 90 : 0);
-    painter_.DrawString(static_cast<float>(smoothing * spot.x), static_cast<float>(smoothing * spot.y), text);
+    letters.SetJustificationToLeft();
+    letters.SetVerticalJustificationToBottom();
+    letters.SetOrientation(upwards ? 90 : 0);
+    // VTK places the bottom of the deepest letter of the font.
+    const double below = depth_of_letters * size;
+    const double x = upwards ? left.x + below : left.x, y = upwards ? left.y : left.y - below;
+    painter_.DrawString(static_cast<float>(smoothing * x), static_cast<float>(smoothing * y), text);
   }
 
   void clip(const std::optional<Box>& box) override {
@@ -70,9 +73,6 @@ class PixelCanvas final : public Canvas {
   }
 
  private:
-  static_assert(static_cast<int>(TextPlace::Across::right) == VTK_TEXT_RIGHT);
-  static_assert(static_cast<int>(TextPlace::Along::top) == VTK_TEXT_TOP);
-
   static std::vector<float> fine(const std::vector<Spot>& line) {
     std::vector<float> numbers;
     for (const Spot& p : line)

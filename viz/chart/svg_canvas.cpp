@@ -50,15 +50,11 @@ void SvgCanvas::area(const std::vector<Spot>& outline, const Colour& colour) {
   body_ += fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points(outline), hex(colour));
 }
 
-void SvgCanvas::text(const Spot& spot, const std::string& text, double size, const TextPlace& place) {
-  static constexpr const char* anchors[] = {"start", "middle", "end"};
-  // Renderers do not agree on where a line of text has its middle and top; they do on where letters stand.
-  const double below = 0.5 * static_cast<int>(place.along) * capital_height * size;
+void SvgCanvas::text(const Spot& left, const std::string& text, double size, bool upwards) {
   body_ += fmt::format(
-      "<text font-size=\"{:.2f}\" text-anchor=\"{}\" transform=\"translate({:.2f} {:.2f}){}\" "
-      "y=\"{:.2f}\">{}</text>\n",
-      size, anchors[static_cast<int>(place.across)], spot.x, height_ - spot.y,
-      place.upwards ? " rotate(-90)" : "", below, escaped(text));
+      "<text font-size=\"{:.2f}\" transform=\"translate({:.2f} {:.2f}){}\" "
+      "xml:space=\"preserve\">{}</text>\n",
+      size, left.x, height_ - left.y, upwards ? " rotate(-90)" : "", escaped(text));
 }
 
 void SvgCanvas::clip(const std::optional<Box>& box) {

@@ -13,7 +13,7 @@ class SvgCanvas final : public Canvas {
 
   void line(const std::vector<Spot>& corners, const Colour& colour, double width) override;
   void area(const std::vector<Spot>& outline, const Colour& colour) override;
-  void text(const Spot& spot, const std::string& text, double size, const TextPlace& place) override;
+  void text(const Spot& left, const std::string& text, double size, bool upwards) override;
   void clip(const std::optional<Box>& box) override;
 
   /// The whole file.

@@ -12,17 +12,11 @@ namespace {
 /// Ends of a stretch that lie on a mark but for rounding count as on it.
 constexpr double hair = 1e-9;
 
-std::string superscript(int n) {
-  static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = n < 0 ? "⁻" : "";
-  for (const char c : std::to_string(std::abs(n))) text += digits[c - '0'];
-  return text;
-}
-
 /// m times 10^n, m in 1 ... 9.
 std::string power_label(int m, int n) {
   if (std::abs(n) <= 3) return fmt::format("{:.{}f}", m * std::pow(10.0, n), std::max(0, -n));
-  return m == 1 ? "10" + superscript(n) : fmt::format("{}·10{}", m, superscript(n));
+  const std::string power = n < 0 ? fmt::format("−{}", -n) : std::to_string(n);
+  return m == 1 ? fmt::format("10^{{{}}}", power) : fmt::format("{}·10^{{{}}}", m, power);
 }
 
 }  // namespace
@@ -53,8 +47,9 @@ std::vector<Tick> linear_ticks(const Stretch& stretch, int most) {
   const auto first = static_cast<std::int64_t>(std::ceil(stretch.low / distance - hair));
   const auto last = static_cast<std::int64_t>(std::floor(stretch.high / distance + hair));
   for (std::int64_t n = first; n <= last; ++n) {
-    const double at = static_cast<double>(n) * distance;
-    ticks.push_back({at, plain ? fmt::format("{:.{}f}", at, decimals) : fmt::format("{:g}", at)});
+    const double at = static_cast<double>(n) * distance, size = std::abs(at);
+    const std::string label = plain ? fmt::format("{:.{}f}", size, decimals) : fmt::format("{:g}", size);
+    ticks.push_back({at, (n < 0 ? "−" : "") + label});
   }
   return ticks;
 }
