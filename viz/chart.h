@@ -28,9 +28,9 @@ enum class Marker { none, circle, square, diamond, cross, plus };
 /// Points that belong together. Points with a coordinate that is not a number, or that a logarithmic axis
 /// cannot show, are left out and interrupt the line.
 struct Series {
-  std::string name;           ///< in the legend; empty: not there
-  std::vector<double> x, y;   ///< of equal length
-  std::vector<double> error;  ///< half the length of the error bars along y; empty: none
+  std::string name{};            ///< in the legend; empty: not there
+  std::vector<double> x{}, y{};  ///< of equal length
+  std::vector<double> error{};   ///< half the length of the error bars along y; empty: none
   Colour colour = black;
   LineStyle line = LineStyle::solid;
   Marker marker = Marker::none;

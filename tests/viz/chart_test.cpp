@@ -58,8 +58,8 @@ Chart three_series() {
   chart.x.title = "r / d_s";
   chart.y.title = "density";
   chart.y.logarithmic = true;
-  chart.width = 600;
-  chart.height = 450;
+  chart.width = 1000;
+  chart.height = 750;
   Series line{"falling line", {}, {}, {}, blue};
   Series points{"points", {}, {}, {}, vermilion, LineStyle::none, Marker::square};
   for (int n = 0; n <= 10; ++n) {
@@ -76,8 +76,8 @@ Chart three_series() {
 TEST(Chart, HasInkOfEachSeriesWhereItsDataAre) {
   const Chart chart = three_series();
   const Pixels picture = render(chart);
-  ASSERT_EQ(picture.width, 600);
-  ASSERT_EQ(picture.height, 450);
+  ASSERT_EQ(picture.width, 1000);
+  ASSERT_EQ(picture.height, 750);
   for (int n = 1; n < 10; ++n) {
     const Spot on_line = spot(chart, n, std::pow(10.0, -0.3 * n));
     if (n != 4) {  // where a point lies on the line
@@ -100,8 +100,8 @@ TEST(Chart, HasInkOfEachSeriesWhereItsDataAre) {
 
 TEST(Chart, DrawsEachStyleDifferently) {
   Chart chart;
-  chart.width = 400;
-  chart.height = 300;
+  chart.width = 1000;
+  chart.height = 750;
   chart.legend = LegendPlace::none;
   chart.series = {{"", {0, 1}, {0.5, 0.5}, {}, blue}};
   const auto ink = [&](LineStyle line, Marker marker) {
@@ -112,7 +112,7 @@ TEST(Chart, DrawsEachStyleDifferently) {
   const std::size_t solid = ink(LineStyle::solid, Marker::none),
                     dashed = ink(LineStyle::dashed, Marker::none),
                     dotted = ink(LineStyle::dotted, Marker::none);
-  EXPECT_GT(solid, 300U);
+  EXPECT_GT(solid, 1000U);
   EXPECT_NEAR(double(dashed) / double(solid), 4 / 6.5, 0.1);
   EXPECT_NEAR(double(dotted) / double(solid), 1.2 / 3, 0.15);
   EXPECT_EQ(ink(LineStyle::none, Marker::none), 0U);
@@ -124,8 +124,8 @@ TEST(Chart, DrawsEachStyleDifferently) {
 
 TEST(Chart, KeepsLinesInItsFrameAndBreaksThemWhereDataAreMissing) {
   Chart chart;
-  chart.width = 400;
-  chart.height = 300;
+  chart.width = 1000;
+  chart.height = 750;
   chart.x.low = 0, chart.x.high = 4, chart.y.low = 0, chart.y.high = 1;
   chart.series = {{"", {0, 1, 2, 3, 4}, {0.5, 0.5, NAN, 0.5, 0.5}, {}, blue},
                   {"", {2, 2}, {-5, 5}, {}, green}};
@@ -169,7 +169,7 @@ TEST(Chart, SvgIsWellFormedAndContainsTheLabels) {
   EXPECT_GT(polylines, 30U);
   const std::string file{std::istreambuf_iterator<char>(std::ifstream(path).rdbuf()), {}};
   EXPECT_THAT(file, HasSubstr("stroke=\"#0072b2\""));
-  EXPECT_THAT(file, HasSubstr("width=\"600\" height=\"450\""));
+  EXPECT_THAT(file, HasSubstr("width=\"1000\" height=\"750\""));
 }
 
 TEST(Chart, WritesAPng) {

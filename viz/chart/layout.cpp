@@ -169,7 +169,7 @@ Choice emptiest(const Chart& chart, const ChartLayout& layout, const std::array<
   const auto points = ink(chart, layout);
   for (const LegendPlace place :
        {LegendPlace::top_right, LegendPlace::top_left, LegendPlace::bottom_right, LegendPlace::bottom_left}) {
-    const std::size_t count = covered(corner(layout.frame, place, size, gap), points, gap);
+    const std::size_t count = covered(corner(layout.frame, place, size, gap), points, 1.5 * gap);
     if (count < best.covered) best = {place, count};
   }
   return best;

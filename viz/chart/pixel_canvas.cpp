@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <stdexcept>
 
 #include "viz/chart/font.h"
@@ -84,16 +85,21 @@ class PixelCanvas final : public Canvas {
   vtkContext2D& painter_;
 };
 
-/// Hands VTK's painter on.
+/// Hands VTK's painter on. VTK does not survive an exception while it paints, so it is kept.
 class Item : public vtkContextItem {
  public:
   static Item* New();
   bool Paint(vtkContext2D* painter) override {
-    PixelCanvas canvas(*painter);
-    paint(canvas);
+    try {
+      PixelCanvas canvas(*painter);
+      paint(canvas);
+    } catch (...) {
+      caught = std::current_exception();
+    }
     return true;
   }
   std::function<void(Canvas&)> paint;
+  std::exception_ptr caught;
 };
 vtkStandardNewMacro(Item);
 
@@ -129,6 +135,7 @@ Pixels painted(int width, int height, const std::function<void(Canvas& canvas)>&
   renderer->SetBackground(background_colour[0], background_colour[1], background_colour[2]);
   window.vtk().AddRenderer(renderer);
   window.vtk().Render();
+  if (item->caught) std::rethrow_exception(item->caught);
   vtkNew<vtkUnsignedCharArray> pixels;
   window.vtk().GetRGBACharPixelData(0, 0, smoothing * width - 1, smoothing * height - 1, 0, pixels);
   if (!window.complaint().empty()) throw std::runtime_error("cannot draw: " + window.complaint());

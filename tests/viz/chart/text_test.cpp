@@ -5,10 +5,13 @@
 namespace furnas {
 namespace {
 
+/// Lowered and raised runs begin with _ and ^.
 std::vector<std::string> texts(const std::string& text) {
   std::vector<std::string> all;
-  for (const TextRun& run : text_runs(text))
-    all.push_back((run.lift < 0 ? "_" : run.lift > 0 ? "^" : "") + run.text);
+  for (const TextRun& run : text_runs(text)) {
+    std::string mark = run.lift < 0 ? "_" : run.lift > 0 ? "^" : "";
+    all.push_back(mark.append(run.text));
+  }
   return all;
 }
 
