@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "io/analysis_files.h"
@@ -16,36 +17,26 @@ struct Look {
 };
 
 /// All charts draw a kind alike.
-Look look_of(const std::optional<PairKind>& kind) {
-  if (!kind) return {black, Marker::circle, LineStyle::solid};
-  switch (*kind) {
-    case PairKind::large_large:
-      return {blue, Marker::square, LineStyle::solid};
-    case PairKind::large_small:
-      return {green, Marker::diamond, LineStyle::dashed};
-    case PairKind::small_small:
-      return {vermilion, Marker::cross, LineStyle::dotted};
-  }
-  return {};
+const Look& look_of(const std::optional<PairKind>& kind) {
+  static const std::array<Look, 3> looks{{{blue, Marker::square, LineStyle::solid},
+                                          {green, Marker::diamond, LineStyle::dashed},
+                                          {vermilion, Marker::cross, LineStyle::dotted}}};
+  return looks[static_cast<std::size_t>(kind.value())];
+}
+
+/// Those of one kind each; all together they would only hide them.
+template <class List>
+std::vector<const typename List::value_type*> kinds_of(const List& all) {
+  std::vector<const typename List::value_type*> kinds;
+  for (const auto& each : all)
+    if (each.kind) kinds.push_back(&each);
+  return kinds;
 }
 
 /// A packing of one size has one kind, which needs no name.
 template <class List>
 std::string legend_of(const List& all, const std::optional<PairKind>& kind) {
-  std::size_t kinds = 0;
-  for (const auto& each : all) kinds += each.kind.has_value();
-  return kinds > 1 ? std::string(name_of(kind)) : "";
-}
-
-/// The kinds where there are several, the whole where there is one.
-template <class List>
-std::vector<const typename List::value_type*> worth_drawing(const List& all) {
-  std::size_t kinds = 0;
-  for (const auto& each : all) kinds += each.kind.has_value();
-  std::vector<const typename List::value_type*> drawn;
-  for (const auto& each : all)
-    if (kinds > 1 || each.kind) drawn.push_back(&each);
-  return drawn;
+  return kinds_of(all).size() > 1 ? std::string(name_of(kind)) : "";
 }
 
 /// Densities at the middles of the bins, with the error of the counts; empty bins are left out.
@@ -70,7 +61,7 @@ Chart forces_chart(const NetworkAnalysis& network, ForceDistribution ContactAnal
   chart.x.title = fmt::format("{0} / ⟨{0}⟩", symbol);
   chart.y.title = fmt::format("P({0} / ⟨{0}⟩)", symbol);
   chart.y.logarithmic = true;
-  for (const ContactAnalysis* c : worth_drawing(network.backbone)) {
+  for (const ContactAnalysis* c : kinds_of(network.backbone)) {
     const Histogram& h = (c->*force).histogram;
     chart.x.logarithmic = chart.x.logarithmic || grows(h);
     chart.series.push_back(points_of(legend_of(network.backbone, c->kind), h, look_of(c->kind), grows(h)));
@@ -86,7 +77,7 @@ Chart mobilisation_chart(const NetworkAnalysis& network, double friction) {
   chart.x.low = 0;
   chart.x.high = 1;
   chart.y.low = 0;
-  for (const ContactAnalysis* c : worth_drawing(network.backbone)) {
+  for (const ContactAnalysis* c : kinds_of(network.backbone)) {
     const Histogram& h = c->mobilisation->histogram;
     std::vector<double> densities;
     for (std::size_t b = 0; b < h.bins(); ++b) densities.push_back(h.density(b));
@@ -111,14 +102,16 @@ Chart rattlers_chart(const Analysis& a) {
     for (std::size_t n = 0; n < 3; ++n) {
       const int least = static_cast<int>(n) + 2;
       const char* const who = a.small == 0 ? "" : large ? "large, " : "small, ";
+      bool backbone_is_left = false;
       Series s{fmt::format("{}fewer than {} contacts", who, least), {},        {}, {}, series_colours[n],
                large ? LineStyle::solid : LineStyle::dashed,        markers[n]};
       for (const auto& [live_share, count] : a.network->rattlers) {
         if (count.least_contacts != least || live_share == 0) continue;
+        backbone_is_left |= count.backbone > 0;
         s.x.push_back(live_share);
         s.y.push_back(static_cast<double>(large ? count.large : count.small) / whole);
       }
-      chart.series.push_back(std::move(s));
+      if (backbone_is_left) chart.series.push_back(std::move(s));
     }
   }
   return chart;
@@ -135,14 +128,13 @@ Chart pair_correlation_chart(const std::vector<PairCorrelation>& pairs) {
   chart.x.low = nearest;
   chart.y.low = 0;
   chart.y.high = highest;
-  for (const PairCorrelation& p : pairs) {
-    if (!p.kind) continue;  // its distances have no one contact distance to be measured by
-    const Look look = look_of(p.kind);
-    Series s{legend_of(pairs, p.kind), {}, {}, {}, look.colour, look.line};
-    for (std::size_t b = 0; b < p.g.size() && p.centre(b) <= widest * p.contact; ++b) {
-      if (p.centre(b) < (nearest - 0.1) * p.contact) continue;
-      s.x.push_back(p.centre(b) / p.contact);
-      s.y.push_back(p.g[b]);
+  for (const PairCorrelation* p : kinds_of(pairs)) {
+    const Look look = look_of(p->kind);
+    Series s{legend_of(pairs, p->kind), {}, {}, {}, look.colour, look.line};
+    for (std::size_t b = 0; b < p->g.size() && p->centre(b) <= widest * p->contact; ++b) {
+      if (p->centre(b) < (nearest - 0.1) * p->contact) continue;
+      s.x.push_back(p->centre(b) / p->contact);
+      s.y.push_back(p->g[b]);
     }
     chart.series.push_back(std::move(s));
   }
