@@ -25,6 +25,10 @@ PackingSource packing_source(const std::string& name) {
   return {read_packing(name), {}};
 }
 
+void add_packing_source(CLI::App& app, std::string& name) {
+  app.add_option("DIR or FILE", name, "folder of a run, or a packing in any format")->required();
+}
+
 Packing packing_from(const std::string& name) { return packing_source(name).packing; }
 
 Packing with_overlaps_as_contacts(const Packing& packing) {

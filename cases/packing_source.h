@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,9 @@ struct PackingSource {
 
 /// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
 PackingSource packing_source(const std::string& folder_or_file);
+
+/// Declares the argument that names such a source, into `name`.
+void add_packing_source(CLI::App& app, std::string& name);
 
 /// The packing alone.
 Packing packing_from(const std::string& folder_or_file);

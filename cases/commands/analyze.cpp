@@ -162,7 +162,7 @@ Command analyze_command() {
   command.example = "furnas analyze runs/first_packing --out analysis";
   command.setup = [options](CLI::App& app) {
     AnalysisOptions& analysis = options->analysis;
-    app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();
+    add_packing_source(app, options->source);
     app.add_option("--out", options->out, "folder for the files; default: that of the run, or analysis");
     app.add_option("--friction", options->friction,
                    "mu that tangential forces are measured against; default: the run's")

@@ -24,8 +24,8 @@ class Extent {
     high_ = std::max(high_, at);
   }
 
-  /// With the ends that the axis asks for, the others moved out to a mark; the upper one leaves `headroom`
-  /// above the data, as a part of the stretch.
+  /// With the ends that the axis asks for, the others moved out to a mark; they leave `headroom` beside
+  /// the data, as a part of the stretch.
   Stretch stretch(int most, double headroom) const {
     Stretch s{low_, high_};
     if (!(s.low <= s.high)) s = {0, axis_.logarithmic ? 0.0 : 1.0};
@@ -33,7 +33,10 @@ class Extent {
     if (axis_.high) s.high = shown(axis_, *axis_.high);
     require(std::isfinite(s.low) && std::isfinite(s.high), "the ends of an axis can be shown on it");
     require(!axis_.low || !axis_.high || s.low < s.high, "the ends of an axis are in order");
-    if (!axis_.high) s.high += headroom * std::max(0.0, s.high - s.low);
+    const double room = headroom * std::max(0.0, s.high - s.low);
+    if (!axis_.high) s.high += room;
+    // A linear axis that begins at 0 stays there.
+    if (!axis_.low && axis_.logarithmic) s.low -= room;
     if (!(s.high - s.low > 1e-12 * std::max(std::abs(s.low), std::abs(s.high)))) {
       const double half = axis_.logarithmic || s.low == 0 ? 0.5 : 0.1 * std::abs(s.low);
       if (!axis_.low) s.low -= half;
