@@ -33,6 +33,8 @@ TEST(Coordination, CountsContactsOfEachKindAndPerParticle) {
 TEST(Coordination, OfTheBackboneLeavesRattlersAndFaintContactsOut) {
   Packing p = five();
   p.contacts[4].force = {1e-3, 0, 0};  // small-small, below 1 % of the mean of its kind
+  p.contacts.push_back(p.contacts[4]);
+  p.contacts.back().i = 0, p.contacts.back().j = 4;  // as faint, between two of the backbone
   const std::vector<bool> live = live_contacts(p), rattler = rattlers(p, live, 2);
   // 2 hangs by one live contact; 0-1-4-3 is a ring.
   EXPECT_EQ(rattler, (std::vector<bool>{false, false, true, false, false}));
