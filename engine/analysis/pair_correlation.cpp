@@ -130,7 +130,7 @@ PairCorrelation of_all(const std::array<Group, 2>& groups, const std::array<Coun
   // for the others.
   const double weights[] = {large.weight(), 2 * large.weight(), small.weight()};
   const double spreads[] = {1 + 1 / large.weight(), 1, 1 + 1 / small.weight()};
-  const double particles = static_cast<double>(large.size() + small.size());
+  const auto particles = static_cast<double>(large.size() + small.size());
   PairCorrelation found;
   found.contact = (static_cast<double>(large.size()) * large.diameter +
                    static_cast<double>(small.size()) * small.diameter) /

@@ -11,12 +11,12 @@ namespace furnas {
 /// A bin along one edge, wrapped into the cell. Divides once, then only counts: a division a bin would
 /// take a fifth of the time of the search.
 struct WrappedBin {
-  std::int64_t count;
+  std::int64_t count;  ///< bins along the edge
   std::int64_t cell;   ///< cells to the right of the first
   std::int64_t index;  ///< in [0, count)
 
-  WrappedBin(std::int64_t bin, std::int64_t count_)
-      : count(count_), cell((bin >= 0 ? bin : bin - count_ + 1) / count_), index(bin - cell * count_) {}
+  WrappedBin(std::int64_t bin, std::int64_t bins)
+      : count(bins), cell((bin >= 0 ? bin : bin - bins + 1) / bins), index(bin - cell * bins) {}
   void next() {
     if (++index == count) index = 0, ++cell;
   }
