@@ -15,6 +15,7 @@
   command(check)                 \
   command(run)                   \
   command(resume)                \
+  command(analyze)               \
   command(render)                \
   command(export)                \
   command(import)                \

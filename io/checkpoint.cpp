@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "engine/base/require.h"
 #include "io/particle_rows.h"
@@ -174,6 +175,12 @@ void check(const Packing& p, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_checkpoint(const std::filesystem::path& path) {
+  std::string head(checkpoint_magic.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == checkpoint_magic;
+}
 
 void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);
