@@ -7,6 +7,7 @@
 
 #include "engine/events/flip.h"
 #include "tests/engine/scenes.h"
+#include "tests/engine/support/symmetries.h"
 
 namespace furnas {
 namespace {
@@ -77,19 +78,7 @@ TEST(Invariance, BoostChangesNothingRelative) {
   EXPECT_LT(largest_difference(p.force, q.force), 1e-10);
 }
 
-/// Whether both have the same contacts, with forces and histories equal within `tolerance`.
-void expect_same_contacts(const Packing& p, const Packing& q, double tolerance) {
-  ASSERT_EQ(p.contacts.size(), q.contacts.size());
-  for (const Contact& c : p.contacts) {
-    const auto twin = std::find_if(q.contacts.begin(), q.contacts.end(), [&](const Contact& d) {
-      return c.i == d.i && c.j == d.j && norm(c.branch - d.branch) < 1e-6;
-    });
-    ASSERT_NE(twin, q.contacts.end()) << c.i << " and " << c.j;
-    EXPECT_LT(norm(c.branch - twin->branch), 10 * tolerance);
-    EXPECT_LT(norm(c.force - twin->force), tolerance);
-    EXPECT_LT(norm(c.history - twin->history), tolerance);
-  }
-}
+using test::expect_same_contacts;
 
 constexpr int lattices[][3] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, -1, 1}, {-1, 2, -1}};
 
