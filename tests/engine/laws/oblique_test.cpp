@@ -82,17 +82,19 @@ TYPED_TEST(ObliqueCollision, OppositeSpinsOfEqualSpheresStay) {
 // T11: no collision from 1 to 89 degrees makes energy.
 TYPED_TEST(ObliqueCollision, NeverGainsEnergy) {
   for (double speed : {1e-3, 1e-1})
-    for (double friction : {0.05, 0.3, 0.5, 1.0}) {
-      for (int degrees = 1; degrees < 90; ++degrees) {
-        const double angle = degrees * std::numbers::pi / 180;
-        const Ball i{.velocity = {-speed * std::cos(angle), speed * std::sin(angle), 0}};
-        const Bounce b = bounce(model_of<TypeParam>({.friction = friction}), i, {.radius = 1.5}, 0.5, 1000);
-        ASSERT_GT(b.steps, 0);
-        ASSERT_TRUE(b.end.contacts.empty());
-        const double before = 0.5 * mass_of(0.5) * speed * speed;
-        EXPECT_LE(kinetic_energy(b.end), before * (1 + 1e-6)) << degrees << " degrees, friction " << friction;
-      }
-    }
+    for (double friction : {0.05, 0.3, 0.5, 1.0})
+      for (double radius : {0.5, 1.5, 20.0})
+        for (int degrees = 1; degrees < 90; ++degrees) {
+          const double angle = degrees * std::numbers::pi / 180;
+          const Ball i{.velocity = {-speed * std::cos(angle), speed * std::sin(angle), 0}};
+          const Bounce b =
+              bounce(model_of<TypeParam>({.friction = friction}), i, {.radius = radius}, 0.5, 1000);
+          ASSERT_GT(b.steps, 0);
+          ASSERT_TRUE(b.end.contacts.empty());
+          const double before = 0.5 * mass_of(0.5) * speed * speed;
+          EXPECT_LE(kinetic_energy(b.end), before * (1 + 1e-6))
+              << degrees << " degrees, friction " << friction << ", radius " << radius;
+        }
 }
 
 }  // namespace

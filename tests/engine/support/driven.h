@@ -22,7 +22,7 @@ class Driven {
   /// Force on particle k at a place and a time [k_n d_s].
   using Push = std::function<Vec3<double>(std::size_t k, const Vec3<double>& position, double time)>;
 
-  /// Particles are in the order of memory, larger ones first.
+  /// Particles are in the order of memory, larger ones first; of contacts, i > j, the histories count.
   Driven(const Model& model, const Packing& start, Push push) : model_(model), push_(std::move(push)) {
     state_.cell = start.cell;
     for (std::size_t k = 0; k < start.size(); ++k) {
@@ -44,6 +44,7 @@ class Driven {
     state_.loads.resize(start.size());
     state_.rows.resize(state_.pairs.rows());
     state_.history.resize(state_.pairs.rows());
+    for (const Contact& c : start.contacts) state_.history[row(c.i, c.j)] = c.history;
     gather(0);
   }
 
