@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <iostream>
 #include <vector>
 
 #include "tests/engine/laws/every_law.h"
@@ -115,8 +116,8 @@ TYPED_TEST(NightlyUndamped, EnergySwingsWithTheSquareOfTheStepAndDoesNotDrift) {
 }
 
 // T32: where contacts open and close the force has kinks, no energy near the true one is conserved, and the
-// energy creeps up: faster than the square of the step it vanishes, and 0.1 % in 2e5 steps of the study are
-// left.
+// energy creeps up: it vanishes faster than the square of the step, and less than 0.2 % in 2e5 steps of the
+// study is left. No drift at all, as the design asks, there is only where contacts stay.
 TEST(NightlyUndampedPacking, EnergyCreepsWhereContactsOpen) {
   constexpr double time = 6500;
   constexpr int samples = 400;
@@ -129,9 +130,13 @@ TEST(NightlyUndampedPacking, EnergyCreepsWhereContactsOpen) {
     return (mean(last) - mean(first)) / mean(first);
   };
   const double coarse = creep(4 * paper_step);
+  const double middle = creep(2 * paper_step);
+  const double fine = creep(paper_step);
+  std::cout << "energy gained in three quarters of " << time << ": " << coarse << ", " << middle << ", "
+            << fine << " at 4, 2, 1 steps of the study\n";
   EXPECT_GT(coarse, 0);
-  EXPECT_GT(std::log2(coarse / creep(2 * paper_step)), 2.5);
-  EXPECT_LT(std::abs(creep(paper_step)), 2e-3);
+  EXPECT_GT(std::log2(coarse / middle), 2.5);
+  EXPECT_LT(std::abs(fine), 2e-3);
 }
 
 }  // namespace
