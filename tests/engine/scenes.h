@@ -44,6 +44,10 @@ Packing after(const Model& model, const Packing& start, std::int64_t steps);
 
 /// Translation and rotation [k_n d_s^2].
 double kinetic_energy(const Packing& packing);
+
+/// Of the contacts: overlap^2/2 + k_t history^2/2 [k_n d_s^2].
+double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
+
 Vec3<double> momentum(const Packing& packing);
 
 /// About the origin, of the unwrapped positions, with spin.
@@ -58,6 +62,12 @@ double sum_of_forces(const Packing& packing);
 /// The same lattice of spheres described by other edges: b gains `xy` times a, c gains `xz` times a and `yz`
 /// times b. Contacts keep what they are about; the count of crossed cells starts anew.
 Packing reskewed(const Packing& packing, int xy, int xz, int yz);
+
+/// A handful of overlapping, spinning spheres of several sizes about the origin.
+std::vector<Ball> cluster();
+
+/// Balls about the origin, put in the middle of a cell so large that they are alone.
+Packing alone(std::vector<Ball> balls, double side = 128);
 
 /// About 200 spheres of size ratio 3 with friction 0.3, compressed to a packing at pressure 1e-4; its
 /// contacts carry histories. Made once, with the default law.
