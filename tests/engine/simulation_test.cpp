@@ -113,8 +113,7 @@ TEST(Invariance, OtherEdgesOfTheLatticeChangeNothing) {
 /// The cell may move and is being sheared.
 Model moving_model() {
   Model model = jammed_model();
-  const double length = std::cbrt(jammed().sphere_volume() / 0.64);
-  model.barostat = {.inertia = jammed().sphere_volume() * length * length / 12};
+  model.barostat = {.inertia = inertia_of_cell(jammed())};
   return model;
 }
 
