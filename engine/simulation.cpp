@@ -137,8 +137,8 @@ void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
                         state_.rows, state_.history, state_.stress.contacts);
-  gather_and_kick<Scene>(no_step, state_.cell, state_.pairs, state_.rows, state_.loads, state_.particles,
-                         state_.stress.motion);
+  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
+                         state_.particles, state_.stress.motion);
 }
 
 template <class Scene>
