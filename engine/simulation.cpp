@@ -66,6 +66,7 @@ class SimulationOf final : public Simulation {
   const StepGraph& graph() const override { return step_; }
 
  private:
+  void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
   void restore_contacts(const Packing& packing);
   void take_forces();
@@ -83,7 +84,16 @@ class SimulationOf final : public Simulation {
 template <class Scene>
 void SimulationOf<Scene>::load(const Packing& p) {
   validate(p);
-  const std::int64_t builds = state_.pairs.builds;
+  workers_.run([&] {
+    const std::int64_t builds = state_.pairs.builds;
+    take_particles(p);
+    build_list(builds);
+    p.order.empty() ? take_forces() : restore_contacts(p);
+  });
+}
+
+template <class Scene>
+void SimulationOf<Scene>::take_particles(const Packing& p) {
   count_ = p.size();
   state_ = {};
   state_.step = p.step;
@@ -112,10 +122,6 @@ void SimulationOf<Scene>::load(const Packing& p) {
     state_.species.push_back(p.species[k]);
     state_.image.push_back(p.image[k]);
   }
-  workers_.run([&] {
-    build_list(builds);
-    p.order.empty() ? take_forces() : restore_contacts(p);
-  });
 }
 
 template <class Scene>

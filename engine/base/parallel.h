@@ -8,7 +8,8 @@
 
 namespace furnas {
 
-/// The threads that the work of one simulation may use.
+/// The threads that the work of one simulation may use. On all of them arithmetic rounds to nearest and takes
+/// numbers below 1e-308 for zero, whatever the rest of the program has set.
 class Workers {
  public:
   explicit Workers(int threads);
@@ -18,7 +19,8 @@ class Workers {
 
   int threads() const;
 
-  /// Runs `work` with these threads; loops inside it use no others.
+  /// Runs `work` with these threads; loops inside it use no others. The floating-point exceptions of the
+  /// thread that begins it are raised for the caller.
   void run(const std::function<void()>& work);
 
  private:
