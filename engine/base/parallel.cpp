@@ -66,9 +66,15 @@ void detail::run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), vo
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) call(body, chunk);
     return;
   }
+  const auto delay = before_piece.load(std::memory_order_relaxed);
   // Static: each worker sees the same pieces in every pass of a step, so they stay in its cache.
   tbb::parallel_for(
-      std::size_t{0}, chunks, [&](std::size_t chunk) { call(body, chunk); }, tbb::static_partitioner{});
+      std::size_t{0}, chunks,
+      [&](std::size_t chunk) {
+        if (delay) delay();
+        call(body, chunk);
+      },
+      tbb::static_partitioner{});
 }
 
 }  // namespace furnas

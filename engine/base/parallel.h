@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -32,8 +33,11 @@ class Workers {
 int available_threads();
 
 namespace detail {
+/// If set, called before each piece of a loop that threads share: so that a test can delay them as it likes.
+inline std::atomic<void (*)()> before_piece = nullptr;
+
 void run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body);
-}
+}  // namespace detail
 
 /// Calls body(begin, end, chunk) for each piece of [0, count) of `size` elements. The pieces depend on
 /// `count` and `size` alone, never on the number of threads.
