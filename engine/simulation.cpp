@@ -254,7 +254,8 @@ std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& p
 
 int threads_for(std::size_t particles) {
   constexpr std::size_t particles_a_thread = 2000;
-  return std::clamp(static_cast<int>(particles / particles_a_thread), 1, available_threads());
+  const auto most = static_cast<std::size_t>(available_threads());
+  return static_cast<int>(std::clamp<std::size_t>(particles / particles_a_thread, 1, most));
 }
 
 }  // namespace furnas
