@@ -133,7 +133,6 @@ void expect_equal_means(double friction, double other) {
   const Estimate a(packing_fractions(friction, seeds));
   const Estimate b(packing_fractions(other, seeds));
   const double width = t * std::hypot(a.error, b.error);
-  printf("%g: %.5f +- %.5f   %g: %.5f +- %.5f\n", friction, a.mean, a.error, other, b.mean, b.error);
   EXPECT_LT(std::abs(a.mean - b.mean) + width, margin)
       << friction << ": " << a.mean << ", " << other << ": " << b.mean;
 }
