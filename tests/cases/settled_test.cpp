@@ -14,19 +14,19 @@
 namespace furnas {
 namespace {
 
-/// Limits that are ten times tighter than those of T49, which is about each particle and not about means.
+/// The mean force left on a particle is to be a tenth of what T49 asks of each, and windows are so long that
+/// the loose limit, of ten of them, does not end the run before. The energy is that of the higher pressure.
 constexpr const char* strict_case = R"([mixture]
 large = 200
 start_fraction = 0.2
+seed = 2
 [compaction]
 pressure = 1e-3
 [stop]
-stress_error = 1e-5
 force_imbalance = 1e-5
-kinetic_energy = 1e-14
-strain_drift = 1e-7
-window = 5000
-steps = 3_000_000
+kinetic_energy = 1e-9
+window = 20_000
+steps = 1_000_000
 [output]
 picture = "none"
 )";
@@ -53,15 +53,16 @@ Residue residue_of(const Packing& p, double pressure, int least_contacts) {
   return residue;
 }
 
-class NightlySettled : public testing::TestWithParam<const char*> {};
+class Settled : public testing::TestWithParam<const char*> {};
 
 // T49: a packing that was called jammed is one: each particle of the backbone is in balance of forces and
 // torques and the stress is that of the bath, all to 1e-4; and 1e5 more steps from its checkpoint move phi by
 // less than 1e-6. The achieved values are recorded with the test.
-TEST_P(NightlySettled, PackingStaysWhereItIs) {
+TEST_P(Settled, PackingStaysWhereItIs) {
   const Runs runs(strict_case);
   const Answer answer = runs.run("a", {std::string("contact.friction=") + GetParam()});
   ASSERT_EQ(answer.code, ExitCode::done) << answer.out << answer.err;
+  ASSERT_EQ(runs.result("a")["force_balance"], "tight");
   const Case c = read_case(runs.path("a/case.resolved.toml"));
   const double pressure = c.compaction.pressure.front();
   const Packing saved = Checkpoints::read_newest(runs.path("a")).packing;
@@ -83,14 +84,9 @@ TEST_P(NightlySettled, PackingStaysWhereItIs) {
   RecordProperty("torque", std::to_string(before.torque * 1e6) + "e-6");
   RecordProperty("stress", std::to_string(before.stress * 1e6) + "e-6");
   RecordProperty("phi moved", std::to_string(moved * 1e9) + "e-9");
-  printf(
-      "mu %s: phi %.6f force %g torque %g stress %g; moved %g, then force %g torque %g stress %g; steps "
-      "%ld\n",
-      GetParam(), saved.fraction_filled(), before.force, before.torque, before.stress, moved, after.force,
-      after.torque, after.stress, long(saved.step));
 }
 
-INSTANTIATE_TEST_SUITE_P(Friction, NightlySettled, testing::Values("0", "0.3"));
+INSTANTIATE_TEST_SUITE_P(Nightly, Settled, testing::Values("0", "0.3"));
 
 /// Packing fractions of a small packing of equal spheres, one for each seed, when its bath is balanced.
 std::vector<double> packing_fractions(double friction, int seeds) {
@@ -127,9 +123,9 @@ struct Estimate {
 /// Whether two means agree to within `margin` with a confidence of 95 %, and the margin is not wide by
 /// chance.
 void expect_equal_means(double friction, double other) {
-  constexpr int seeds = 12;
+  constexpr int seeds = 24;
   constexpr double margin = 0.006;
-  constexpr double t = 2.07;  // Student's for 22 degrees of freedom
+  constexpr double t = 2.01;  // Student's for 46 degrees of freedom
   const Estimate a(packing_fractions(friction, seeds));
   const Estimate b(packing_fractions(other, seeds));
   const double width = t * std::hypot(a.error, b.error);
@@ -143,8 +139,8 @@ void expect_equal_means(double friction, double other) {
 TEST(NightlyFriction, ATinyOneIsNone) { expect_equal_means(1e-6, 0); }
 TEST(NightlyFriction, AnEnormousOneIsInfinite) { expect_equal_means(1e3, 1e30); }
 
-// T50: and so is each step: the way of a packing with little friction leaves that of one without in proportion
-// to the friction, until chaos takes over (at 1e-6 within these steps).
+// T50: and so is each step: the way of a packing with little friction leaves that of one without in
+// proportion to the friction, until chaos takes over (at 1e-6 within these steps).
 TEST(Friction, IsContinuousAtZero) {
   const auto end = [](double friction) {
     Case c;
