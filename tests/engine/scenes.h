@@ -49,6 +49,9 @@ double inertia_of_cell(const Packing& packing);
 double kinetic_energy(const Packing& packing);
 Vec3<double> momentum(const Packing& packing);
 
+/// Sum of overlap^2/2 over the contacts: all their energy without friction [k_n d_s^2].
+double elastic_energy(const Packing& packing);
+
 /// About the origin, of the unwrapped positions, with spin.
 Vec3<double> angular_momentum(const Packing& packing);
 

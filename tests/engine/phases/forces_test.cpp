@@ -31,13 +31,9 @@ Packing crowd() {
 
 HookeConstants elastic() { return {.normal_damping = 0, .tangential_damping = 0, .friction = 0}; }
 
-/// E = sum of overlap^2/2.
 template <class Law>
 double energy(const Packing& start) {
-  double sum = 0;
-  for (const Contact& c : after(model_of<Law>(elastic()), start, 0).contacts)
-    sum += 0.5 * c.overlap * c.overlap;
-  return sum;
+  return elastic_energy(after(model_of<Law>(elastic()), start, 0));
 }
 
 /// Fourth-order difference of the energy along a change of the packing.
