@@ -120,8 +120,8 @@ struct Estimate {
   }
 };
 
-/// Whether two means agree to within `margin` with a confidence of 95 %, and the margin is not wide by
-/// chance.
+/// Whether two means agree to within `margin` with a confidence of 95 %. Half as many seeds are too few: they
+/// leave 0.0029 +- 0.0032 at the upper end.
 void expect_equal_means(double friction, double other) {
   constexpr int seeds = 24;
   constexpr double margin = 0.006;
@@ -129,6 +129,8 @@ void expect_equal_means(double friction, double other) {
   const Estimate a(packing_fractions(friction, seeds));
   const Estimate b(packing_fractions(other, seeds));
   const double width = t * std::hypot(a.error, b.error);
+  testing::Test::RecordProperty("difference of phi", std::to_string(a.mean - b.mean));
+  testing::Test::RecordProperty("half its 95 % interval", std::to_string(width));
   EXPECT_LT(std::abs(a.mean - b.mean) + width, margin)
       << friction << ": " << a.mean << ", " << other << ": " << b.mean;
 }
