@@ -188,7 +188,7 @@ TYPED_TEST(HardCase, ACellThatShrinksIsRightUntilItIsRefused) {
     balls.push_back({.position = {dice.between(0, 3), dice.between(0, 3), dice.between(0, 3)},
                      .radius = k == 0 ? 0.8 : 0.5});
   Packing start = packing_of(cube(3.9), balls);
-  start.cell.rate = {-0.5, -0.3, -0.4, 0.2, -0.3, 0.1};
+  start.cell.rate = {-1, -0.6, -0.8, 0.4, -0.6, 0.2};
   Model model = hard_model<TypeParam>();
   model.barostat = {.pressure = 0, .inertia = 1e300};
   const auto simulation = make_simulation(model, start);
@@ -216,9 +216,9 @@ TYPED_TEST(HardCase, ACellThatShrinksIsRightUntilItIsRefused) {
   } catch (const NumericalFailure& failure) {
     EXPECT_NE(std::string(failure.what()).find("between two of its faces are 0."), std::string::npos);
   }
-  EXPECT_GT(simulation->step(), 150);
-  EXPECT_GT(several, 50u);
-  EXPECT_GT(own, 50u);
+  EXPECT_GT(simulation->step(), 75);
+  EXPECT_GT(several, 25u);
+  EXPECT_GT(own, 25u);
 }
 
 /// One large sphere of size ratio 40 and `count` small ones on its surface, evenly on a golden spiral.

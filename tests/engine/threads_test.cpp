@@ -80,8 +80,8 @@ TEST_F(Threads, TheRunIsLively) {
 // T51: any number of threads, through a flip.
 TEST_F(Threads, AnyNumberGivesTheSameBits) {
   for (int threads : {2, 3, 5, 8, 16})
-    for (Schedule schedule : {Schedule::in_order, Schedule::as_graph})
-      EXPECT_TRUE(test::same_packing(run(threads, schedule).end, alone().end)) << threads;
+    EXPECT_TRUE(test::same_packing(run(threads).end, alone().end)) << threads;
+  EXPECT_TRUE(test::same_packing(run(5, Schedule::in_order).end, alone().end));
 }
 
 // T51: arenas that get fewer workers than they have places.

@@ -111,7 +111,7 @@ struct GasError {
 
 GasError gas_error(double time_step) {
   constexpr int gases = 16;
-  constexpr double time = 100;
+  constexpr double time = 60;
   GasError error{};
   double count = 0;
   for (int n = 1; n <= gases; ++n) {
