@@ -68,6 +68,7 @@ class SimulationOf final : public Simulation {
   const StepGraph& graph() const override { return step_; }
 
  private:
+  void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
   void restore_contacts(const Packing& packing);
   void take_forces();
@@ -85,7 +86,19 @@ class SimulationOf final : public Simulation {
 template <class Scene>
 void SimulationOf<Scene>::load(const Packing& p) {
   validate(p);
-  const std::int64_t builds = state_.pairs.builds;
+  workers_.run([&] {
+    const std::int64_t builds = state_.pairs.builds;
+    take_particles(p);
+    build_list(builds);
+    p.order.empty() ? take_forces() : restore_contacts(p);
+  });
+  if (!p.order.empty()) return;
+  state_.ledger = {};
+  state_.ledger.initial = energy(packing(), model_.law).total();
+}
+
+template <class Scene>
+void SimulationOf<Scene>::take_particles(const Packing& p) {
   count_ = p.size();
   state_ = {};
   state_.step = p.step;
@@ -114,14 +127,6 @@ void SimulationOf<Scene>::load(const Packing& p) {
     state_.species.push_back(p.species[k]);
     state_.image.push_back(p.image[k]);
   }
-  workers_.run([&] {
-    build_list(builds);
-    p.order.empty() ? take_forces() : restore_contacts(p);
-  });
-  if (p.order.empty()) {
-    state_.ledger = {};
-    state_.ledger.initial = energy(packing(), model_.law).total();
-  }
 }
 
 template <class Scene>
@@ -143,8 +148,8 @@ void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
                         state_.rows, state_.history, state_.stress.contacts, work_.work);
-  gather_and_kick<Scene>(no_step, state_.cell, state_.pairs, state_.rows, state_.loads, state_.particles,
-                         state_.stress.motion);
+  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
+                         state_.particles, state_.stress.motion);
 }
 
 template <class Scene>
@@ -255,7 +260,8 @@ std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& p
 
 int threads_for(std::size_t particles) {
   constexpr std::size_t particles_a_thread = 2000;
-  return std::clamp(static_cast<int>(particles / particles_a_thread), 1, available_threads());
+  const auto most = static_cast<std::size_t>(available_threads());
+  return static_cast<int>(std::clamp<std::size_t>(particles / particles_a_thread, 1, most));
 }
 
 }  // namespace furnas

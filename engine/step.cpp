@@ -18,7 +18,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
+  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
   step.phase("watch the wear",              watch_wear,           w.longest_way, s.cell, s.pairs, w.wear);
@@ -29,7 +29,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
 
   step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.history, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
-  step.phase("gather and kick",             gather_and_kick<S>,   dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
+  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   // clang-format on

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,10 @@ std::int64_t small_count(const Mixture& m) {
 }
 
 Packing dilute_start(const Mixture& m) {
+  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (m.large + small_count(m) > most)
+    throw InputError(std::to_string(m.large + small_count(m)) + " spheres are wanted; at most " +
+                     std::to_string(most) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);
   const auto small = static_cast<std::size_t>(small_count(m));
   const double large_radius = 0.5 * m.size_ratio;

@@ -29,6 +29,11 @@ Packing after(const Model& model, const Packing& start, std::int64_t steps) {
   return simulation->packing();
 }
 
+double inertia_of_cell(const Packing& p) {
+  const double length = std::cbrt(p.sphere_volume() / 0.64);
+  return p.sphere_volume() * length * length / 12;
+}
+
 double kinetic_energy(const Packing& p) {
   double sum = 0;
   for (std::size_t k = 0; k < p.size(); ++k)
@@ -47,6 +52,12 @@ double elastic_energy(const Packing& p, double tangential_stiffness) {
 Vec3<double> momentum(const Packing& p) {
   Vec3<double> sum;
   for (std::size_t k = 0; k < p.size(); ++k) sum += p.mass[k] * p.velocity[k];
+  return sum;
+}
+
+double elastic_energy(const Packing& p) {
+  double sum = 0;
+  for (const Contact& c : p.contacts) sum += 0.5 * c.overlap * c.overlap;
   return sum;
 }
 
@@ -101,9 +112,8 @@ const Packing& jammed() {
   static const Packing packing = [] {
     const Packing gas = dilute_start({.size_ratio = 3, .small_fraction = 0.6, .large = 5, .seed = 7});
     Model model = jammed_model();
-    const double length = std::cbrt(gas.sphere_volume() / 0.64);
     model.barostat.freedom = CellFreedom::triclinic;
-    model.barostat.inertia = gas.sphere_volume() * length * length / 12;
+    model.barostat.inertia = inertia_of_cell(gas);
     model.barostat.drag = 0.04;
     constexpr int steps = 30000;
     Packing settled = after(model, gas, steps);

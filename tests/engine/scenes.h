@@ -42,6 +42,9 @@ Model model_of(const HookeConstants& constants, double time_step = paper_step) {
 /// The state after some steps.
 Packing after(const Model& model, const Packing& start, std::int64_t steps);
 
+/// The inertia of the packing itself, W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
+double inertia_of_cell(const Packing& packing);
+
 /// Translation and rotation [k_n d_s^2].
 double kinetic_energy(const Packing& packing);
 
@@ -49,6 +52,9 @@ double kinetic_energy(const Packing& packing);
 double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
 
 Vec3<double> momentum(const Packing& packing);
+
+/// Sum of overlap^2/2 over the contacts: all their energy without friction [k_n d_s^2].
+double elastic_energy(const Packing& packing);
 
 /// About the origin, of the unwrapped positions, with spin.
 Vec3<double> angular_momentum(const Packing& packing);

@@ -109,8 +109,7 @@ TYPED_TEST(Invariance, OtherEdgesOfTheLatticeChangeNothing) {
 
 /// The cell may move and is being sheared.
 Model in_a_moving_cell(Model model) {
-  const double length = std::cbrt(jammed().sphere_volume() / 0.64);
-  model.barostat = {.inertia = jammed().sphere_volume() * length * length / 12};
+  model.barostat = {.inertia = inertia_of_cell(jammed())};
   return model;
 }
 
