@@ -92,9 +92,6 @@ void SimulationOf<Scene>::load(const Packing& p) {
     build_list(builds);
     p.order.empty() ? take_forces() : restore_contacts(p);
   });
-  if (!p.order.empty()) return;
-  state_.ledger = {};
-  state_.ledger.initial = energy(packing(), model_.law).total();
 }
 
 template <class Scene>
@@ -150,6 +147,8 @@ void SimulationOf<Scene>::take_forces() {
                         state_.rows, state_.history, state_.stress.contacts, work_.work);
   gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
                          state_.particles, state_.stress.motion);
+  state_.ledger = {};
+  state_.ledger.initial = energy(packing(), model_.law).total();
 }
 
 template <class Scene>

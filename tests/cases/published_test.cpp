@@ -163,9 +163,9 @@ TEST(NightlyPublished, BidisperseWithoutFriction) {
 }
 
 /// What the protocol does: the inertia of the cell and its drag.
-class NightlyProtocol : public testing::TestWithParam<const char*> {};
+class CellProtocol : public testing::TestWithParam<const char*> {};
 
-TEST_P(NightlyProtocol, MovesPhiByLessThanTwoHundredths) {
+TEST_P(CellProtocol, MovesPhiByLessThanTwoHundredths) {
   for (const char* friction : {"0.3", "0"}) {
     const bool smooth = std::string(friction) == "0";
     const Ensemble e = ensemble_of({fmt::format("mono_1000_mu_{}_{}", friction, GetParam()),
@@ -173,14 +173,28 @@ TEST_P(NightlyProtocol, MovesPhiByLessThanTwoHundredths) {
                                     {fmt::format("compaction.{}", GetParam())},
                                     smooth ? 2 : 3});
     EXPECT_EQ(e.jammed, smooth ? 2 : 3);
-    if (e.jammed > 1) EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? 0.6366 : 0.5911, 0.02);
+    EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? 0.6366 : 0.5911, 0.02);
     expect_closed_ledger(e);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cell, NightlyProtocol,
-                         testing::Values("inertia=0.1", "inertia=0.3", "inertia=3.0", "inertia=10.0",
-                                         "drag=0.04", "drag=0.4"));
+INSTANTIATE_TEST_SUITE_P(Nightly, CellProtocol,
+                         testing::Values("inertia=0.1", "inertia=0.3", "inertia=3.0", "drag=0.04",
+                                         "drag=0.4"));
+
+/// A cell ten times as heavy as the packing breathes on: contacts that see peculiar velocities hardly damp
+/// it.
+TEST(NightlyProtocol, AHeavyCellIsNotAtRestInTwoMillionSteps) {
+  for (int seed : {1, 2}) {
+    const Json r =
+        sample({"mono_1000_mu_0.3_inertia=10.0", with_friction, {"compaction.inertia=10.0"}, 2}, seed);
+    EXPECT_EQ(r["verdict"], "budget");
+    EXPECT_TRUE(r["phi_J"].is_null());
+    EXPECT_NEAR(r["phi"], 0.5911, 0.02);
+    fmt::print("| heavy cell, sample {} | not at rest | phi {:.4f} | stress error {:.1e} | | |\n", seed,
+               r["phi"].get<double>(), r["stress_error"].get<double>());
+  }
+}
 
 /// How much the integrator of the contact law moves phi_J.
 struct Mixed {
@@ -188,9 +202,9 @@ struct Mixed {
   int large;
 };
 
-class NightlyIntegrator : public testing::TestWithParam<Mixed> {};
+class ContactIntegrator : public testing::TestWithParam<Mixed> {};
 
-TEST_P(NightlyIntegrator, MovesPhi) {
+TEST_P(ContactIntegrator, MovesPhi) {
   const Mixed& m = GetParam();
   std::vector<std::vector<double>> phi;
   for (const char* law : {"hooke_synchronized", "hooke_history"}) {
@@ -210,7 +224,7 @@ TEST_P(NightlyIntegrator, MovesPhi) {
   EXPECT_LT(std::abs(d.mean), 0.02 + d.half_width);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, NightlyIntegrator,
+INSTANTIATE_TEST_SUITE_P(Nightly, ContactIntegrator,
                          testing::Values(Mixed{5, 0.2, 30}, Mixed{5, 0.45, 10}, Mixed{8, 0.2, 8},
                                          Mixed{8, 0.45, 4}));
 

@@ -32,15 +32,15 @@ Names events_of(const Case& c, bool walltime = false) {
 /// because a run goes on behind the events of its step; what ends the run without a verdict last.
 TEST(Schedule, HasItsOrder) {
   Case c;
-  EXPECT_EQ(events_of(c), (Names{"diverged", "flip", "renew the order", "history", "next pressure", "at rest",
+  EXPECT_EQ(events_of(c), (Names{"monitor", "flip", "renew the order", "history", "next pressure", "at rest",
                                  "still the rattlers", "progress", "checkpoint", "budget", "interrupted"}));
   c.output.snapshot_every = 10;
   c.stop.criterion = "paper";
   EXPECT_EQ(events_of(c, true),
-            (Names{"diverged", "flip", "renew the order", "history", "frame", "next pressure", "at rest",
+            (Names{"monitor", "flip", "renew the order", "history", "frame", "next pressure", "at rest",
                    "progress", "checkpoint", "budget", "wall time", "interrupted"}));
   c.compaction.cell = "fixed";
-  EXPECT_EQ(events_of(c), (Names{"diverged", "flip", "renew the order", "history", "frame", "progress",
+  EXPECT_EQ(events_of(c), (Names{"monitor", "flip", "renew the order", "history", "frame", "progress",
                                  "checkpoint", "budget", "interrupted"}));
 }
 
