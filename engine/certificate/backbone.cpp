@@ -70,24 +70,26 @@ Backbone find_backbone(const ContactNetwork& network, const std::vector<Species>
   const auto contacts = counting(network, species, rule.force_share);
   Backbone core;
   core.contains.assign(species.size(), true);
+  const auto weight = [&](const StaticContact& c) { return rule.by_constraints && c.sliding ? 2 : 3; };
+  const int least = 3 * rule.least_contacts;
   std::vector<int> degree;
   for (bool gone = true; gone;) {
     gone = false;
     degree.assign(species.size(), 0);
     for (const StaticContact* c : contacts)
-      if (core.contains[c->i] && core.contains[c->j]) ++degree[c->i], ++degree[c->j];
+      if (core.contains[c->i] && core.contains[c->j]) degree[c->i] += weight(*c), degree[c->j] += weight(*c);
     for (std::size_t k = 0; k < species.size(); ++k)
-      if (core.contains[k] && degree[k] < rule.least_contacts) core.contains[k] = false, gone = true;
+      if (core.contains[k] && degree[k] < least) core.contains[k] = false, gone = true;
   }
 
   std::vector<int> to_members(species.size(), 0);
   for (const StaticContact* c : contacts) {
-    to_members[c->i] += core.contains[c->j];
-    to_members[c->j] += core.contains[c->i];
+    if (core.contains[c->j]) to_members[c->i] += weight(*c);
+    if (core.contains[c->i]) to_members[c->j] += weight(*c);
   }
   for (std::uint32_t k = 0; k < species.size(); ++k) {
     if (core.contains[k]) core.particles.push_back(k);
-    if (core.contains[k] != (to_members[k] >= rule.least_contacts)) ++core.rule_breaks;
+    if (core.contains[k] != (to_members[k] >= least)) ++core.rule_breaks;
   }
   for (const StaticContact& c : network.contacts)
     if (core.contains[c.i] && core.contains[c.j]) core.bonds.push_back(&c);

@@ -10,8 +10,9 @@ namespace furnas {
 
 /// What counts as carrying.
 struct CoreRule {
-  double force_share = 0.01;  ///< a contact counts above this share of the mean F_n of its kind
-  int least_contacts = 4;     ///< z_min: particles with fewer such contacts are taken out, again and again
+  double force_share = 0.01;    ///< a contact counts above this share of the mean F_n of its kind
+  int least_contacts = 4;       ///< z_min: particles with fewer such contacts are taken out, again and again
+  bool by_constraints = false;  ///< a contact that slides counts for 2/3 of one
 };
 
 /// The particles that carry the packing, and the contacts among them.

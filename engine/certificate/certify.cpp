@@ -17,6 +17,12 @@ constexpr double least_pressure = 1e-12;
 
 double real(std::int64_t count) { return static_cast<double>(count); }
 
+/// What carries: every overlap is a spring, however weak. Without friction a sphere is held by four, which
+/// must enclose it; with friction by two that stick.
+CoreRule core_rule(const Springs& springs) {
+  return {.force_share = 0, .least_contacts = springs.friction > 0 ? 2 : 4, .by_constraints = true};
+}
+
 Part backbone_part(const ContactNetwork& network, const std::vector<Species>& species,
                    const Backbone& backbone) {
   const Percolation across = percolation(backbone);
@@ -152,7 +158,7 @@ Part moduli_part(const Moduli& moduli, CellFreedom freedom) {
 
 Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const ContactNetwork network = contact_network(packing, terms.springs);
-  const Backbone backbone = find_backbone(network, packing.species, {0, terms.least_contacts});
+  const Backbone backbone = find_backbone(network, packing.species, core_rule(terms.springs));
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
   const Modes modes = find_modes(stiffness, terms.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);

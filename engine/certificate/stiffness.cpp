@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-
 namespace furnas {
 namespace {
 
@@ -47,6 +46,19 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
                       c->sliding ? friction.normalized() : Vector3d::Zero(), c->normal_force, c->arm_i,
                       c->arm_j, network.radius[c->i], network.radius[c->j]});
   }
+  if (network.frictional()) find_bridges(backbone);
+}
+
+void Stiffness::find_bridges(const Backbone& backbone) {
+  std::vector<std::vector<Vector3d>> points(backbone.particles.size());  // of contact, from the centre
+  for (const Bond& b : bonds_) {
+    points[static_cast<std::size_t>(b.i / per_particle_)].emplace_back(-b.arm_i * b.normal);
+    points[static_cast<std::size_t>(b.j / per_particle_)].emplace_back(b.arm_j * b.normal);
+  }
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (points[k].size() == 2)
+      bridges_.push_back(
+          {static_cast<Index>(k) * per_particle_ + 3, (points[k][1] - points[k][0]).normalized()});
 }
 
 Stiffness::Local Stiffness::local(const Bond& b) const {
@@ -94,6 +106,8 @@ Stiffness::Motion Stiffness::times(const Motion& motion) const {
     answer.particles.segment(b.j, per_particle_) += force.segment(6, per_particle_);
     answer.strain += force.tail<6>();
   }
+  for (const Bridge& b : bridges_)
+    answer.particles.segment<3>(b.turn) += b.axis.dot(motion.particles.segment<3>(b.turn)) * b.axis;
   return answer;
 }
 
@@ -121,6 +135,10 @@ Eigen::SparseMatrix<double> Stiffness::among_particles() const {
         if (r >= c) entries.emplace_back(r, c, k(row, column));
       }
   }
+  for (const Bridge& b : bridges_)
+    for (Index row = 0; row < 3; ++row)
+      for (Index column = 0; column <= row; ++column)
+        entries.emplace_back(b.turn + row, b.turn + column, b.axis[row] * b.axis[column]);
   Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;

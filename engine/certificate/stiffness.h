@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "engine/certificate/backbone.h"
@@ -22,6 +23,9 @@ using StrainMatrix = Eigen::Matrix<double, 6, 6>;
 /// A contact holds its two spheres with k_n along the normal and with k_t across it, if it slides only across
 /// its friction; and its forces turn with it, the prestress. Of that part friction makes unsymmetric, the
 /// symmetric half is taken: it alone enters the second-order work.
+///
+/// A particle that bridges two others, with two contacts, may spin about the line through its contact points:
+/// nothing moves and no force changes. That spin is held with k_n, so that it is no soft motion.
 class Stiffness {
  public:
   Stiffness(const ContactNetwork& network, const Backbone& backbone, double pressure);
@@ -30,6 +34,8 @@ class Stiffness {
   Eigen::Index unknowns() const { return unknowns_; }
   Eigen::Index per_particle() const { return per_particle_; }
   double volume() const { return volume_; }  ///< [d_s^3]
+  /// Particles whose spin is held.
+  std::int64_t bridges() const { return std::ssize(bridges_); }
 
   struct Motion {
     Eigen::VectorXd particles;  ///< u and R theta of each particle [d_s]; forces, when it is an answer
@@ -55,12 +61,18 @@ class Stiffness {
     double arm_i, arm_j;       // [d_s]
     double radius_i, radius_j;
   };
+  struct Bridge {
+    Eigen::Index turn;  // first unknown of its turn
+    Eigen::Vector3d axis;
+  };
+  void find_bridges(const Backbone& backbone);
   using Local = Eigen::Matrix<double, 18, 18>;  // u_i, turn_i, u_j, turn_j, e
   Local local(const Bond& bond) const;
   std::array<Eigen::Index, 12> places(const Bond& bond) const;
   StrainMatrix of_volume() const;
 
   std::vector<Bond> bonds_;
+  std::vector<Bridge> bridges_;
   Eigen::Index per_particle_;
   Eigen::Index unknowns_;
   double volume_;
