@@ -150,7 +150,7 @@ Part moduli_part(const Moduli& moduli, CellFreedom freedom) {
                                                               : told(name, value));
   };
   shear("shear modulus G, mean of all directions [k_n/d_s]", moduli.shear);
-  shear("least modulus of any strain [k_n/d_s]", moduli.least);
+  shear("least shear modulus of any direction [k_n/d_s]", moduli.least_shear);
   return part;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/certificate/moduli.h"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace furnas {
 
@@ -11,7 +12,12 @@ Moduli moduli_of(const StrainMatrix& c) {
   Moduli moduli;
   moduli.bulk = (lengths + 2 * across) / 9;
   moduli.shear = (lengths - across + 3 * tilts) / 15;
-  moduli.least = Eigen::SelfAdjointEigenSolver<StrainMatrix>(c).eigenvalues()[0];
+  // Tilts are twice the shears of the strain tensor; so weighed (Kelvin), constants do not depend on the
+  // axes.
+  Strain weight;
+  weight << 1, 1, 1, std::sqrt(2), std::sqrt(2), std::sqrt(2);
+  const StrainMatrix kelvin = weight.asDiagonal() * c * weight.asDiagonal();
+  moduli.least_shear = Eigen::SelfAdjointEigenSolver<StrainMatrix>(kelvin).eigenvalues()[0] / 2;
   return moduli;
 }
 

@@ -1,0 +1,88 @@
+#include "engine/certificate/contact_network.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/certificate/statics.h"
+#include "tests/engine/phases/crystal.h"
+
+namespace furnas {
+namespace {
+
+const Springs rough{.tangential = 1, .friction = 0.3};
+
+// The scene is nearly at rest: forces of its springs alone are its forces but for the damping. Particles move
+// by some 1e-6 of their size a time unit, the damping of which is 1e-2 of the mean force.
+TEST(ContactNetwork, HasTheForcesOfAPackingAtRest) {
+  const Packing& p = jammed();
+  const ContactNetwork network = contact_network(p, rough);
+  ASSERT_EQ(network.contacts.size(), p.contacts.size());
+  EXPECT_EQ(network.unlisted, 0);
+  EXPECT_EQ(network.open, 0);
+  std::size_t rubbing = 0;
+  for (const StaticContact& c : network.contacts) {
+    EXPECT_TRUE(c.known);
+    EXPECT_GT(c.normal_force, 0);
+    EXPECT_LT(std::abs(dot(c.normal, c.tangential_force)), 1e-15);
+    rubbing += norm(c.tangential_force) > 0.01 * network.mean_force;
+  }
+  EXPECT_GT(rubbing, network.contacts.size() / 2);
+  const Eigen::Matrix3d stress = static_stress(network);
+  EXPECT_LT((stress - p.stress.contacts / p.cell.volume()).norm(), 0.02 * stress.norm());
+}
+
+// Neither the order of the two particles, nor the choice of the lattice's edges, nor the branch, force and
+// overlap that the list holds say anything.
+TEST(ContactNetwork, ReadsHistoriesAlone) {
+  const Packing& p = jammed();
+  const auto expected = contact_network(p, rough);
+  Packing other = reskewed(p, 1, -1, 0);
+  for (std::size_t n = 0; n < other.contacts.size(); ++n) {
+    Contact& c = other.contacts[n];
+    if (n % 2 == 0 && c.i != c.j) {
+      std::swap(c.i, c.j);
+      c.history = -c.history;
+      for (auto& cells : c.image) cells = static_cast<std::int8_t>(-cells);
+    }
+    c.branch = {}, c.force = {}, c.overlap = NAN;
+  }
+  for (auto& f : other.force) f = {NAN, NAN, NAN};
+  for (auto& v : other.velocity) v = {NAN, NAN, NAN};
+  const auto found = contact_network(other, rough);
+  EXPECT_EQ(found.unlisted, 0);
+  // The other edges round differently, in the sixteenth digit of a branch; overlaps are some 1e-3 of it.
+  EXPECT_LT((static_stress(found) - static_stress(expected)).norm(), 1e-11 * static_stress(expected).norm());
+  EXPECT_NEAR(found.mean_force, expected.mean_force, 1e-11 * expected.mean_force);
+}
+
+TEST(ContactNetwork, CountsWhereTheListIsWrong) {
+  Packing p = jammed();
+  const Contact lost = p.contacts.back();
+  p.contacts.pop_back();
+  ContactNetwork network = contact_network(p, rough);
+  EXPECT_EQ(network.unlisted, 1);
+  EXPECT_EQ(network.open, 0);
+  p = jammed();
+  p.radius[lost.i] *= 0.9;
+  network = contact_network(p, rough);
+  EXPECT_EQ(network.unlisted, 0);
+  EXPECT_GT(network.open, 0);
+}
+
+// Simple cubic: p = k delta/r^2 along each axis; face-centred cubic: p = 2 sqrt 2 k delta/r^2 (T35).
+TEST(StaticStress, OfCrystals) {
+  constexpr double r = 0.95;
+  const auto expect = [](const Packing& crystal, double pressure) {
+    const Eigen::Matrix3d stress = static_stress(contact_network(crystal, {}));
+    EXPECT_LT((stress - pressure * Eigen::Matrix3d::Identity()).norm(), 1e-13 * pressure);
+  };
+  for (int cells : {1, 2, 3}) {
+    expect(simple_cubic(r, cells), (1 - r) / (r * r));
+    expect(face_centred(r, cells), 2 * std::sqrt(2) * (1 - r) / (r * r));
+  }
+  expect(reskewed(face_centred_primitive(r), 1, -1, 2), 2 * std::sqrt(2) * (1 - r) / (r * r));
+}
+
+}  // namespace
+}  // namespace furnas
