@@ -121,7 +121,7 @@ TEST(Certify, RefusesTangentialForcesBeyondTheirCone) {
 
 TEST(Certify, RefusesARunThatStoppedEarly) {
   const Runs runs;
-  ASSERT_EQ(runs.run("a", {"stop.steps=20000"}).code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.run("a", {"stop.steps=5000"}).code, ExitCode::budget_spent);
   const Answer answer = furnas({"certify", runs.path("a")});
   EXPECT_EQ(answer.code, ExitCode::not_certified) << answer.out;
   const Json json = Json::parse(content(runs.path("a/certificate.json")));
@@ -133,9 +133,9 @@ TEST(Certify, RefusesARunThatStoppedEarly) {
 TEST(Certify, RefusesAnotherPressure) {
   Certified packing("0");
   std::string& text = packing.checkpoint.case_text;
-  const auto at = text.find("pressure = [");
+  const auto at = text.find("\npressure = ");
   ASSERT_NE(at, std::string::npos) << text;
-  text.replace(at, text.find(']', at) - at, "pressure = [1.01e-4");
+  text.replace(at, text.find('\n', at + 1) - at, "\npressure = 1.01e-4");
   EXPECT_THAT(packing.failed(), ElementsAre("stress"));
 }
 

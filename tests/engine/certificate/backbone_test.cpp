@@ -37,6 +37,8 @@ TEST(Percolation, OfChainsSheetsAndCrystals) {
   EXPECT_EQ(percolation_of(placed(4 * near, chain)).directions, 1);
   EXPECT_EQ(percolation_of(placed(4 * near, sheet)).directions, 2);
   EXPECT_EQ(percolation_of(placed(5, chain)).directions, 0) << "it ends before its image begins";
+  for (auto& place : chain) place.x += 3;
+  EXPECT_EQ(percolation_of(placed(5, chain)).directions, 0) << "through a face, but not back to itself";
   for (int cells : {1, 2, 3}) {
     EXPECT_EQ(percolation_of(simple_cubic(near, cells)).directions, 3) << cells;
     EXPECT_EQ(percolation_of(reskewed(simple_cubic(near, cells), 1, -1, 2)).directions, 3) << cells;

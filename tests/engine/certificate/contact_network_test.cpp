@@ -70,6 +70,27 @@ TEST(ContactNetwork, CountsWhereTheListIsWrong) {
   EXPECT_GT(network.open, 0);
 }
 
+// A sphere that touches its own images has a history with each of them.
+TEST(ContactNetwork, TellsImagesApart) {
+  Packing p = simple_cubic(0.95, 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    Contact c;
+    c.image[static_cast<std::size_t>(axis)] = 1;
+    const double size = 1e-4 * (axis + 1);
+    c.history = axis == 0   ? Vec3<double>{0, size, 0}
+                : axis == 1 ? Vec3<double>{0, 0, size}
+                            : Vec3<double>{size, 0, 0};
+    p.contacts.push_back(c);
+  }
+  const ContactNetwork network = contact_network(p, rough);
+  ASSERT_EQ(network.contacts.size(), 3u);
+  EXPECT_EQ(network.unlisted, 0);
+  for (const StaticContact& c : network.contacts) {
+    const double axis = std::abs(c.normal.y) + 2 * std::abs(c.normal.z);
+    EXPECT_NEAR(norm(c.tangential_force), 1e-4 * (axis + 1), 1e-16);
+  }
+}
+
 // Simple cubic: p = k delta/r^2 along each axis; face-centred cubic: p = 2 sqrt 2 k delta/r^2 (T35).
 TEST(StaticStress, OfCrystals) {
   constexpr double r = 0.95;

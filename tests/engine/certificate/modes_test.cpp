@@ -151,6 +151,11 @@ TEST(Constraints, AreCountedWithTheCell) {
   EXPECT_EQ(count(crystal, 0, CellFreedom::fixed).needed, 3 * 27 - 2);
   EXPECT_EQ(count(crystal, 0.5, CellFreedom::triclinic).constraints, 3 * 81);
   EXPECT_EQ(count(crystal, 0.5, CellFreedom::triclinic).needed, 6 * 27 + 3);
+  // One that slides holds two components.
+  Answer sliding(crystal, 0.5);
+  sliding.network.contacts[5].sliding = true;
+  EXPECT_EQ(count_constraints(sliding.network, sliding.backbone, CellFreedom::triclinic).constraints,
+            3 * 81 - 1);
 }
 
 }  // namespace

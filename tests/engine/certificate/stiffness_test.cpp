@@ -137,6 +137,29 @@ TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
   }
 }
 
+// A contact at the Coulomb limit gives way along its friction and holds across it; below the limit it holds
+// both ways. The normal force pushes the spheres aside with F_n/r either way.
+TEST(Stiffness, OfAContactThatSlidesIsAcrossItsFriction) {
+  constexpr double r = 0.99;
+  constexpr double kt = 0.7;
+  for (const double share : {0.5, 1.0}) {
+    Packing pair = packing_of(cube(10), {{.position = {5, 5, 5}}, {.position = {5 + r, 5, 5}}});
+    Contact c;
+    c.i = 1, c.j = 0;
+    c.history = {0, share * 0.3 * (1 - r) / kt, 0};
+    pair.contacts = {c};
+    const Scene scene(pair, {.tangential = kt, .friction = 0.3});
+    ASSERT_EQ(scene.network.contacts.at(0).sliding, share == 1.0);
+    const auto cost = [&](Eigen::Index axis) {
+      Motion m{Eigen::VectorXd::Unit(12, axis), Strain::Zero()};
+      return work(m, scene.stiffness.times(m));
+    };
+    EXPECT_NEAR(cost(0), 1, 1e-14);
+    EXPECT_NEAR(cost(1), (share == 1.0 ? 0 : kt) - (1 - r) / r, 1e-14) << share;
+    EXPECT_NEAR(cost(2), kt - (1 - r) / r, 1e-14) << share;
+  }
+}
+
 TEST(Stiffness, AsMatricesIsTheSame) {
   for (double friction : {0.0, 0.3}) {
     const Scene scene(jammed(), {.tangential = 0.8, .friction = friction});
