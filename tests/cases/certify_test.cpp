@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "io/checkpoint.h"
 #include "tests/cases/runs.h"
@@ -16,11 +17,40 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A jammed packing of 200 spheres, before and after a test has laid hands on it.
+/// One of the jammed packings of 200 equal spheres that tests/data/README.md describes, as a run would save
+/// it.
+Checkpoint jammed_packing(const std::string& friction) {
+  const Json json = Json::parse(content(test_data("jammed.mu" + friction + ".json")));
+  Checkpoint checkpoint;
+  checkpoint.case_text = "[contact]\nfriction = " + friction + "\n[compaction]\npressure = 1e-4\n";
+  Packing& p = checkpoint.packing;
+  const std::vector<double> h = json["edges"];
+  p.cell.edges = {h[0], h[1], h[2], h[3], h[4], h[5]};
+  p.resize(json["fraction"].size());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Json& s = json["fraction"][k];
+    p.fraction[k] = {s[0], s[1], s[2]};
+    p.radius[k] = 0.5;
+    p.mass[k] = std::numbers::pi / 6;
+  }
+  for (const Json& row : json["contacts"]) {
+    Contact c;
+    c.i = row[0], c.j = row[1];
+    c.image = {row[2], row[3], row[4]};
+    c.history = {row[5], row[6], row[7]};
+    Vec3<double> d = nearest_difference(p.fraction[c.i], p.fraction[c.j]);
+    d += {double(c.image[0]), double(c.image[1]), double(c.image[2])};
+    c.branch = p.cell.edges * d;
+    c.overlap = 1 - norm(c.branch);
+    p.contacts.push_back(c);
+  }
+  return checkpoint;
+}
+
+/// A jammed packing, before and after a test has laid hands on it.
 class Certified {
  public:
-  explicit Certified(const std::string& friction)
-      : checkpoint(read_checkpoint(test_data("jammed.mu" + friction + ".checkpoint"))) {}
+  explicit Certified(const std::string& friction) : checkpoint(jammed_packing(friction)) {}
 
   /// What the command says of the packing as it is now.
   Answer certify(const std::vector<std::string>& options = {}) const {
