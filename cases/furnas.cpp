@@ -16,6 +16,7 @@
   command(run)                   \
   command(resume)                \
   command(certify)               \
+  command(analyze)               \
   command(render)                \
   command(export)                \
   command(import)                \

@@ -3,13 +3,42 @@
 #include <filesystem>
 
 #include "cases/recording.h"
+#include "engine/simulation.h"
+#include "io/case_file.h"
 #include "io/formats.h"
 
 namespace furnas {
+namespace {
 
-Packing packing_from(const std::string& source) {
-  if (std::filesystem::is_directory(source)) return Checkpoints::read_newest(source).packing;
-  return read_packing(source);
+PackingSource source_from(Checkpoint checkpoint, const std::string& name) {
+  PackingSource source{std::move(checkpoint.packing), {}};
+  if (!checkpoint.case_text.empty())
+    source.of_case = parse_case(checkpoint.case_text, name + " (checkpoint)");
+  return source;
+}
+
+}  // namespace
+
+PackingSource packing_source(const std::string& name) {
+  if (std::filesystem::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
+  if (is_checkpoint(name)) return source_from(read_checkpoint(name), name);
+  return {read_packing(name), {}};
+}
+
+void add_packing_source(CLI::App& app, std::string& name) {
+  app.add_option("DIR or FILE", name, "folder of a run, or a packing in any format")->required();
+}
+
+Packing packing_from(const std::string& name) { return packing_source(name).packing; }
+
+Packing with_overlaps_as_contacts(const Packing& packing) {
+  Packing resting = packing;
+  resting.cell.rate = {};
+  resting.order.clear();  // so that the forces are taken from the positions
+  Model model;
+  model.law = Frictionless<false>{{.normal_damping = 0}};
+  model.barostat.freedom = CellFreedom::fixed;
+  return make_simulation(model, resting)->packing();
 }
 
 }  // namespace furnas

@@ -5,17 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cases/progress.h"
 #include "cases/scenario.h"
+#include "engine/base/sphere.h"
 #include "engine/simulation.h"
 #include "io/case_check.h"
 
 namespace furnas {
 namespace {
 
-double mass_of(double diameter) { return std::numbers::pi / 6 * diameter * diameter * diameter; }
+double mass_of(double diameter) { return sphere_volume(0.5 * diameter); }
 
 double reduced_mass(double a, double b) { return mass_of(a) * mass_of(b) / (mass_of(a) + mass_of(b)); }
 

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "engine/analysis/faults.h"
 #include "engine/base/require.h"
-#include "engine/events/limits.h"
 #include "io/vtk_xml.h"
 
 namespace furnas {
@@ -123,7 +123,8 @@ bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >
 
 std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
-  if (!Diverged::reason(now.measures()).empty()) return Verdict::diverged;
+  if (std::string fault = fault_of(now.packing(), now.simulation().model()); !fault.empty())
+    return now.diverged(std::move(fault));
   checkpoints_.write(now.packing(), case_text_, reached_, watch_);
   last_ = Clock::now();
   return {};

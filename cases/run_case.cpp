@@ -11,6 +11,7 @@
 #include "cases/scenario.h"
 #include "cases/schedule.h"
 #include "cases/signals.h"
+#include "engine/analysis/faults.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
 #include "engine/events/flip.h"
@@ -60,8 +61,9 @@ struct Outcome {
 Outcome run_to_outcome(Observation& now, const Events& events, std::atomic<bool>& attention) {
   try {
     const Verdict verdict = compact(now, events, &attention);
-    const std::string failure = Diverged::reason(now.measures());
-    return {failure.empty() ? verdict : Verdict::diverged, failure};
+    if (verdict == Verdict::diverged) return {verdict, now.fault()};
+    const std::string fault = fault_of(now.packing(), now.simulation().model());
+    return {fault.empty() ? verdict : Verdict::diverged, fault};
   } catch (const NumericalFailure& error) {
     return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now.step())};
   }
@@ -118,7 +120,7 @@ ExitCode exit_code_of(Verdict verdict) {
 
 std::string summary(const Result& r, const Case& c, const std::filesystem::path& folder) {
   const Measures& m = r.measures;
-  const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
+  const auto& backbone = m.backbone();
   std::string text = fmt::format("verdict   {} ({})\n", to_string(r.verdict), r.reason);
   if (r.phi_J())
     text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,

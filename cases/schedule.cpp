@@ -3,6 +3,7 @@
 #include "cases/progress.h"
 #include "engine/events/flip.h"
 #include "engine/events/limits.h"
+#include "engine/events/monitor.h"
 #include "engine/events/renew_order.h"
 #include "engine/events/still_rattlers.h"
 
@@ -37,7 +38,7 @@ Events schedule(RunContext& run) {
   const Case& c = run.resolved_case;
   const bool can_rest = c.compaction.cell != "fixed";
 
-  add(std::make_unique<Diverged>());
+  add(std::make_unique<Monitor>());
   add(std::make_unique<Flip>());
   add(std::make_unique<RenewOrder>(order_period));
   add(std::make_unique<RecordHistory>(run.folder, run.first_step, c.output.history_every));

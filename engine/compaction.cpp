@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/analysis/energy.h"
 #include "engine/analysis/measure.h"
 #include "engine/base/require.h"
 
@@ -40,12 +41,15 @@ const Measures& Observation::measures() {
   if (!measures_) {
     measures_ = measure(packing(), backbone_threshold_);
     measures_->rebuilds = simulation_.builds();
+    measures_->energy = energy(packing(), simulation_.model().law);
+    measures_->ledger = packing().ledger;
   }
   return *measures_;
 }
 
 void Observation::replace(const Packing& packing) {
   taken_at_ = -1;
+  ++replaced_;
   try {
     simulation_.load(packing);
   } catch (const InputError& error) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -30,6 +32,16 @@ class Observation {
 
   /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
   void replace(const Packing& packing);
+  /// How often that was done.
+  std::int64_t replaced() const { return replaced_; }
+
+  /// The verdict of an event that has seen what must not be, with a sentence that says what.
+  Verdict diverged(std::string sentence) {
+    fault_ = std::move(sentence);
+    return Verdict::diverged;
+  }
+  /// What made the run diverge; empty if nothing did.
+  const std::string& fault() const { return fault_; }
 
  private:
   void refresh();
@@ -37,6 +49,8 @@ class Observation {
   Simulation& simulation_;
   int backbone_threshold_;
   std::int64_t taken_at_ = -1;
+  std::int64_t replaced_ = 0;
+  std::string fault_;
   std::optional<Packing> packing_;
   std::optional<Measures> measures_;
 };

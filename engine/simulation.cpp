@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/energy.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
 #include "engine/search/find_pairs.h"
@@ -66,6 +68,7 @@ class SimulationOf final : public Simulation {
   const StepGraph& graph() const override { return step_; }
 
  private:
+  void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
   void restore_contacts(const Packing& packing);
   void take_forces();
@@ -83,12 +86,25 @@ class SimulationOf final : public Simulation {
 template <class Scene>
 void SimulationOf<Scene>::load(const Packing& p) {
   validate(p);
-  const std::int64_t builds = state_.pairs.builds;
+  workers_.run([&] {
+    const std::int64_t builds = state_.pairs.builds;
+    take_particles(p);
+    build_list(builds);
+    p.order.empty() ? take_forces() : restore_contacts(p);
+  });
+  if (!p.order.empty()) return;
+  state_.ledger = {};
+  state_.ledger.initial = energy(packing(), model_.law).total();
+}
+
+template <class Scene>
+void SimulationOf<Scene>::take_particles(const Packing& p) {
   count_ = p.size();
   state_ = {};
   state_.step = p.step;
   state_.cell = p.cell;
   state_.stress = p.stress;
+  state_.ledger = p.ledger;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
   require(is_permutation(state_.id, count_), "the order names every particle once");
   for (std::uint32_t k : state_.id) {
@@ -101,9 +117,8 @@ void SimulationOf<Scene>::load(const Packing& p) {
     Load<Real, spins> load{};
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
-      constexpr double sphere_inertia = 0.4;  // moment of inertia/(m R^2)
       particle.spin = narrow(p.spin[k]);
-      particle.inverse_inertia = Real(1 / (sphere_inertia * p.mass[k] * p.radius[k] * p.radius[k]));
+      particle.inverse_inertia = Real(1 / sphere_inertia(p.mass[k], p.radius[k]));
       load.torque = narrow(p.torque[k]);
     }
     state_.particles.push_back(particle);
@@ -112,10 +127,6 @@ void SimulationOf<Scene>::load(const Packing& p) {
     state_.species.push_back(p.species[k]);
     state_.image.push_back(p.image[k]);
   }
-  workers_.run([&] {
-    build_list(builds);
-    p.order.empty() ? take_forces() : restore_contacts(p);
-  });
 }
 
 template <class Scene>
@@ -136,9 +147,9 @@ template <class Scene>
 void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                        state_.rows, state_.history, state_.stress.contacts);
-  gather_and_kick<Scene>(no_step, state_.cell, state_.pairs, state_.rows, state_.loads, state_.particles,
-                         state_.stress.motion);
+                        state_.rows, state_.history, state_.stress.contacts, work_.work);
+  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
+                         state_.particles, state_.stress.motion);
 }
 
 template <class Scene>
@@ -213,6 +224,7 @@ Packing SimulationOf<Scene>::packing() const {
   p.time = static_cast<double>(state_.step) * model_.time_step;
   p.cell = state_.cell;
   p.stress = state_.stress;
+  p.ledger = state_.ledger;
   p.order = state_.id;
   p.resize(count_);
   for (std::size_t n = 0; n < count_; ++n) {
@@ -248,7 +260,8 @@ std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& p
 
 int threads_for(std::size_t particles) {
   constexpr std::size_t particles_a_thread = 2000;
-  return std::clamp(static_cast<int>(particles / particles_a_thread), 1, available_threads());
+  const auto most = static_cast<std::size_t>(available_threads());
+  return static_cast<int>(std::clamp<std::size_t>(particles / particles_a_thread, 1, most));
 }
 
 }  // namespace furnas

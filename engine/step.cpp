@@ -3,6 +3,7 @@
 #include "engine/phases/barostat.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
+#include "engine/phases/keep_ledger.h"
 
 namespace furnas {
 
@@ -15,8 +16,9 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   const bool moves = bath.freedom != CellFreedom::fixed;
 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
+  if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
+  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
   step.phase("watch the wear",              watch_wear,           w.longest_way, s.cell, s.pairs, w.wear);
@@ -25,8 +27,10 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
   step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.history, s.image, w.wear);
 
-  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.history, s.stress.contacts);
-  step.phase("gather and kick",             gather_and_kick<S>,   dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
+  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.history, s.stress.contacts, w.work);
+  step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
+  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
+  if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   // clang-format on
 
@@ -34,6 +38,8 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.stress, "stress");
   step.name(s.stress.contacts, "stress of contacts");
   step.name(s.stress.motion, "stress of motion");
+  step.name(s.ledger, "ledger");
+  step.name(w.work, "work of contacts");
   step.name(s.particles, "particles");
   step.name(s.loads, "loads");
   step.name(s.pairs, "pairs");

@@ -12,6 +12,7 @@ struct StepWork {
   LongestWay longest_way;
   Wear wear;
   ListDraft draft;
+  ContactWork work;
 };
 
 /// The timestep: velocity Verlet for particles and cell, one line a phase. Nothing else decides the order.

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
 namespace furnas {
 namespace {
 
-constexpr double small_mass = std::numbers::pi / 6;  // rho d_s^3 pi/6
+constexpr double small_mass = sphere_volume(0.5);  // [rho d_s^3]
 
 /// Particles are counted in 31 bits.
 constexpr double most_spheres = std::numeric_limits<std::int32_t>::max();

@@ -56,7 +56,7 @@ std::vector<Key> mixture_and_start() {
 std::vector<Key> contact() {
   return {
       plain("contact", "law", "", Choices{"hooke_synchronized", "hooke_history"},
-            "hooke_history is the paper's scheme; with friction it errs above a size ratio of about 3",
+            "hooke_history is the paper's scheme; small spheres that roll between large ones stick in it",
             [](Case& c) -> Field { return &c.contact.law; }),
       plain("contact", "friction", "", from_to(0, 1e30),
             "Coulomb's coefficient mu; 0 leaves out spin and tangential forces, 1e30 never slides",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "engine/base/require.h"
 #include "io/particle_rows.h"
@@ -10,10 +11,10 @@
 namespace furnas {
 namespace {
 
-constexpr SectionFormat format{checkpoint_magic, 1};
+constexpr SectionFormat format{checkpoint_magic, 2};
 
 static_assert(sizeof(Cell) == 12 * sizeof(double) && sizeof(Fraction) == 3 * sizeof(std::uint64_t) &&
-                  sizeof(Vec3<double>) == 3 * sizeof(double),
+                  sizeof(Vec3<double>) == 3 * sizeof(double) && sizeof(Ledger) == 17 * sizeof(double),
               "stored as bytes: there must be no padding");
 
 /// How a field is stored: a truth value as a byte, all else as it is.
@@ -136,6 +137,7 @@ void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.contact_field("contact sliding", p.contacts, &Contact::sliding);
   archive.matrix("stress of contacts", p.stress.contacts);
   archive.matrix("stress of motion", p.stress.motion);
+  archive.one("ledger", p.ledger);
   archive.list("order", p.order);
   archive.texts(checkpoint.extras);
   archive.finish();
@@ -173,6 +175,12 @@ void check(const Packing& p, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool is_checkpoint(const std::filesystem::path& path) {
+  std::string head(checkpoint_magic.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == checkpoint_magic;
+}
 
 void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);

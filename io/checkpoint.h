@@ -19,6 +19,9 @@ struct Checkpoint {
 /// The first bytes of every checkpoint.
 inline constexpr std::string_view checkpoint_magic = "FURNASCP";
 
+/// Whether a file begins as a checkpoint does; not if it cannot be read.
+bool is_checkpoint(const std::filesystem::path& path);
+
 /// Writes a checkpoint, complete or not at all; every bit of the packing is kept. Throws OutputError.
 void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path);
 

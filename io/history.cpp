@@ -11,6 +11,52 @@
 namespace furnas {
 namespace {
 
+struct Column {
+  const char* name;
+  double (*value)(const Measures&);
+};
+
+double per_particle(double energy, const Measures& m) { return energy / static_cast<double>(m.particles); }
+
+/// The columns in order; names are those of LAMMPS where it has one. Energies are per particle.
+constexpr Column columns[] = {
+    {"Step", [](const Measures& m) { return static_cast<double>(m.step); }},
+    {"Time", [](const Measures& m) { return m.time; }},
+    {"Phi", [](const Measures& m) { return m.phi; }},
+    {"Press", [](const Measures& m) { return m.pressure; }},
+    {"Pxx", [](const Measures& m) { return m.stress[0]; }},
+    {"Pyy", [](const Measures& m) { return m.stress[1]; }},
+    {"Pzz", [](const Measures& m) { return m.stress[2]; }},
+    {"Pxy", [](const Measures& m) { return m.stress[3]; }},
+    {"Pxz", [](const Measures& m) { return m.stress[4]; }},
+    {"Pyz", [](const Measures& m) { return m.stress[5]; }},
+    {"KinEng", [](const Measures& m) { return m.kinetic_energy; }},
+    {"KinEngBackbone", [](const Measures& m) { return m.backbone_kinetic_energy; }},
+    {"ForceImbalance", [](const Measures& m) { return m.force_imbalance; }},
+    {"Contacts", [](const Measures& m) { return static_cast<double>(m.contacts); }},
+    {"Z", [](const Measures& m) { return m.coordination; }},
+    {"Backbone", [](const Measures& m) { return static_cast<double>(m.backbone().backbone); }},
+    {"SlidingShare", [](const Measures& m) { return m.sliding_share; }},
+    {"MaxOverlap", [](const Measures& m) { return m.largest_overlap; }},
+    {"Volume", [](const Measures& m) { return m.cell.volume(); }},
+    {"Lx", [](const Measures& m) { return m.cell.edges.xx; }},
+    {"Ly", [](const Measures& m) { return m.cell.edges.yy; }},
+    {"Lz", [](const Measures& m) { return m.cell.edges.zz; }},
+    {"Xy", [](const Measures& m) { return m.cell.edges.xy; }},
+    {"Xz", [](const Measures& m) { return m.cell.edges.xz; }},
+    {"Yz", [](const Measures& m) { return m.cell.edges.yz; }},
+    {"NormalEnergy", [](const Measures& m) { return per_particle(m.energy.normal, m); }},
+    {"TangentialEnergy", [](const Measures& m) { return per_particle(m.energy.tangential, m); }},
+    {"CellWork", [](const Measures& m) { return per_particle(m.ledger.cell_work, m); }},
+    {"NormalDamping", [](const Measures& m) { return per_particle(m.ledger.losses.normal_damping, m); }},
+    {"TangentialDamping",
+     [](const Measures& m) { return per_particle(m.ledger.losses.tangential_damping, m); }},
+    {"Sliding", [](const Measures& m) { return per_particle(m.ledger.losses.sliding, m); }},
+    {"Opening", [](const Measures& m) { return per_particle(m.ledger.losses.opening, m); }},
+    {"Stilled", [](const Measures& m) { return per_particle(m.ledger.stilled, m); }},
+    {"EnergyGap", [](const Measures& m) { return per_particle(m.ledger.gap(m.energy.total()), m); }},
+};
+
 /// The rows of an older file up to a step, with its header. A row that a crash has cut ends them.
 std::string rows_until(const std::filesystem::path& path, std::int64_t step) {
   const std::string header = history_columns();
@@ -30,9 +76,10 @@ std::string rows_until(const std::filesystem::path& path, std::int64_t step) {
 
 }  // namespace
 
-const char* history_columns() {
-  return "Step,Time,Phi,Press,Pxx,Pyy,Pzz,Pxy,Pxz,Pyz,KinEng,KinEngBackbone,ForceImbalance,Contacts,Z,"
-         "Backbone,SlidingShare,MaxOverlap,Volume,Lx,Ly,Lz,Xy,Xz,Yz";
+std::string history_columns() {
+  std::string names;
+  for (const Column& column : columns) names += fmt::format("{}{}", names.empty() ? "" : ",", column.name);
+  return names;
 }
 
 History::History(std::filesystem::path path, std::int64_t step) : path_(std::move(path)) {
@@ -41,15 +88,9 @@ History::History(std::filesystem::path path, std::int64_t step) : path_(std::mov
 }
 
 void History::add(const Measures& m) {
-  const Triangle& h = m.cell.edges;
-  const auto& s = m.stress;
-  const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
-  file_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", m.step,
-                       m.time, m.phi, m.pressure, s[0], s[1], s[2], s[3], s[4], s[5], m.kinetic_energy,
-                       m.backbone_kinetic_energy, m.force_imbalance, m.contacts, m.coordination,
-                       backbone.backbone, m.sliding_share, m.largest_overlap, m.cell.volume(), h.xx, h.yy,
-                       h.zz, h.xy, h.xz, h.yz);
-  file_.flush();
+  std::string row;
+  for (const Column& column : columns) row += fmt::format("{}{}", row.empty() ? "" : ",", column.value(m));
+  file_ << row << '\n' << std::flush;
   if (!file_) throw OutputError("cannot write " + path_.string());
 }
 

@@ -23,6 +23,6 @@ class History {
 };
 
 /// Names of the columns, separated by commas.
-const char* history_columns();
+std::string history_columns();
 
 }  // namespace furnas

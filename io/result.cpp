@@ -45,6 +45,22 @@ const char* balance(const Result& r) {
   return r.rest.loosely ? "loose" : "tight";
 }
 
+/// The balance of the energy: `relative_gap` is what it misses, over what went through.
+Json energy(const Measures& m) {
+  const Ledger& l = m.ledger;
+  return {{"kinetic", number(m.energy.kinetic)},
+          {"normal", number(m.energy.normal)},
+          {"tangential", number(m.energy.tangential)},
+          {"initial", number(l.initial)},
+          {"cell_work", number(l.cell_work)},
+          {"normal_damping", number(l.losses.normal_damping)},
+          {"tangential_damping", number(l.losses.tangential_damping)},
+          {"sliding", number(l.losses.sliding)},
+          {"opening", number(l.losses.opening)},
+          {"stilled", number(l.stilled)},
+          {"relative_gap", number(l.relative_gap(m.energy.total()))}};
+}
+
 Json cell(const Triangle& h) {
   return {{"lx", h.xx}, {"ly", h.yy}, {"lz", h.zz}, {"xy", h.xy}, {"xz", h.xz}, {"yz", h.yz}};
 }
@@ -61,7 +77,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
   const auto phi_j = r.phi_J();
   const char* const found_balance = balance(r);
   const auto& s = m.stress;
-  const auto& backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)];
+  const auto& backbone = m.backbone();
   Json json = {
       {"verdict", to_string(r.verdict)},
       {"reason", r.reason},
@@ -90,6 +106,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"backbone_threshold", m.backbone_threshold},
       {"rattlers", rattlers(r)},
       {"rattlers_stilled", r.rattlers_stilled},
+      {"energy", energy(m)},
       {"sliding_share", m.sliding_share},
       {"largest_overlap", number(m.largest_overlap)},
       {"mean_force", number(m.mean_force)},

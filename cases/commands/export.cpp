@@ -19,7 +19,7 @@ Command export_command() {
   command.does = "write a packing in another format";
   command.example = "furnas export runs/first_packing lammps-data";
   command.setup = [options](CLI::App& app) {
-    app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();
+    add_packing_source(app, options->source);
     app.add_option("FORMAT", options->format, names_of_written_formats())->required();
     app.add_option("--out", options->out, "file; default: packing with the format's extension");
   };

@@ -21,7 +21,7 @@ Command render_command() {
   command.does = "draw a packing, without a display";
   command.example = "furnas render runs/first_packing --out packing.png --transparent";
   command.setup = [options](CLI::App& app) {
-    app.add_option("DIR or FILE", options->source, "folder of a run, or a packing in any format")->required();
+    add_packing_source(app, options->source);
     app.add_option("--out", options->out, "PNG file")->capture_default_str();
     app.add_option("--size", options->size, "edge of the picture in pixels")
         ->check(CLI::Range(16, 16384))

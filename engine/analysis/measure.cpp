@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/energy.h"
 #include "engine/analysis/rattlers.h"
 
 namespace furnas {
 namespace {
-
-double kinetic_energy(const Packing& p, std::size_t k) {
-  constexpr double sphere_inertia = 0.4;
-  const double r = p.radius[k];
-  return 0.5 * p.mass[k] *
-         (dot(p.velocity[k], p.velocity[k]) + sphere_inertia * r * r * dot(p.spin[k], p.spin[k]));
-}
 
 void measure_stress(const Packing& p, Measures& m) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -65,6 +59,7 @@ void measure_backbone(const Packing& p, const std::vector<bool>& rattler, Measur
 Measures measure(const Packing& p, int backbone_threshold) {
   Measures m;
   m.step = p.step;
+  m.particles = static_cast<std::int64_t>(p.size());
   m.time = p.time;
   m.cell = p.cell;
   m.phi = p.fraction_filled();

@@ -3,29 +3,22 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/analysis/contacts.h"
+
 namespace furnas {
-namespace {
-
-/// 0 large-large, 1 large-small, 2 small-small.
-std::size_t kind(const Packing& p, const Contact& c) {
-  return static_cast<std::size_t>(p.species[c.i]) + static_cast<std::size_t>(p.species[c.j]);
-}
-
-double normal_force(const Contact& c) { return dot(c.force, c.branch) / norm(c.branch); }
-
-}  // namespace
 
 std::vector<bool> live_contacts(const Packing& p, double share) {
   std::array<double, 3> sum{};
   std::array<std::size_t, 3> count{};
   for (const Contact& c : p.contacts) {
-    sum[kind(p, c)] += normal_force(c);
-    ++count[kind(p, c)];
+    const auto k = static_cast<std::size_t>(kind_of(p, c));
+    sum[k] += normal_force(c);
+    ++count[k];
   }
   std::vector<bool> live;
   live.reserve(p.contacts.size());
   for (const Contact& c : p.contacts) {
-    const std::size_t k = kind(p, c);
+    const auto k = static_cast<std::size_t>(kind_of(p, c));
     const double force = normal_force(c);
     live.push_back(force > 0 && force * static_cast<double>(count[k]) > share * sum[k]);
   }
@@ -84,6 +77,16 @@ RattlerCount count_rattlers(const Packing& p, const std::vector<bool>& live, con
   if (count.backbone > 0)
     count.coordination = 2 * static_cast<double>(count.contacts) / static_cast<double>(count.backbone);
   return count;
+}
+
+std::vector<RattlerSensitivity> rattler_sensitivity(const Packing& p, const std::vector<double>& shares) {
+  std::vector<RattlerSensitivity> rows;
+  for (const int least_contacts : {2, 3, 4})
+    for (const double share : shares) {
+      const std::vector<bool> live = live_contacts(p, share);
+      rows.push_back({share, count_rattlers(p, live, rattlers(p, live, least_contacts), least_contacts)});
+    }
+  return rows;
 }
 
 }  // namespace furnas

@@ -22,4 +22,14 @@ std::vector<bool> rattlers(const Packing& packing, const std::vector<bool>& live
 RattlerCount count_rattlers(const Packing& packing, const std::vector<bool>& live,
                             const std::vector<bool>& rattler, int least_contacts);
 
+/// What the count of rattlers owes to the force below which a contact does not count.
+struct RattlerSensitivity {
+  double share;  ///< of the mean normal force of its kind that a live contact exceeds
+  RattlerCount count;
+};
+
+/// The counts for z_min 2, 3 and 4, each with all of `shares`.
+std::vector<RattlerSensitivity> rattler_sensitivity(const Packing& packing,
+                                                    const std::vector<double>& shares);
+
 }  // namespace furnas

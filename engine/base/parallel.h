@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -8,7 +9,8 @@
 
 namespace furnas {
 
-/// The threads that the work of one simulation may use.
+/// The threads that the work of one simulation may use. On all of them arithmetic rounds to nearest and takes
+/// numbers below 1e-308 for zero, whatever the rest of the program has set.
 class Workers {
  public:
   explicit Workers(int threads);
@@ -18,7 +20,8 @@ class Workers {
 
   int threads() const;
 
-  /// Runs `work` with these threads; loops inside it use no others.
+  /// Runs `work` with these threads; loops inside it use no others. The floating-point exceptions of the
+  /// thread that begins it are raised for the caller.
   void run(const std::function<void()>& work);
 
  private:
@@ -30,8 +33,11 @@ class Workers {
 int available_threads();
 
 namespace detail {
+/// If set, called before each piece of a loop that threads share: so that a test can delay them as it likes.
+inline std::atomic<void (*)()> before_piece = nullptr;
+
 void run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body);
-}
+}  // namespace detail
 
 /// Calls body(begin, end, chunk) for each piece of [0, count) of `size` elements. The pieces depend on
 /// `count` and `size` alone, never on the number of threads.

@@ -21,7 +21,7 @@ const RestReport& RestWatch::look(Observation& now) {
   if (!window_.empty() && window_.back().step == now.step()) return report_;
   const Measures& m = now.measures();
   report_ = {};
-  report_.backbone = m.rattlers[static_cast<std::size_t>(m.backbone_threshold - 2)].backbone;
+  report_.backbone = m.backbone().backbone;
   report_.stress_error = stress_error(m, now.simulation().model().barostat);
   report_.force_imbalance = m.force_imbalance;
   report_.kinetic_energy = criteria_.kinetic_energy_alone ? m.kinetic_energy : m.backbone_kinetic_energy;

@@ -18,19 +18,6 @@ class Budget final : public Event {
   std::int64_t last_step_;
 };
 
-/// Ends the run when numbers stop being numbers or the spheres fill more than the cell. Deep overlaps alone
-/// are no reason: while a mixture is compacted fast, large spheres squeeze small ones for a moment.
-class Diverged final : public Event {
- public:
-  const char* name() const override { return "diverged"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
-  bool due(Observation& now) override;
-  std::optional<Verdict> fire(Observation&) override { return Verdict::diverged; }
-
-  /// What was seen, in a sentence.
-  static std::string reason(const Measures& measures);
-};
-
 /// Ends the run when `stop` is set, from a signal or a limit on the wall clock.
 class Interrupted final : public Event {
  public:

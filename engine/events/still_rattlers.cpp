@@ -1,5 +1,6 @@
 #include "engine/events/still_rattlers.h"
 
+#include "engine/analysis/energy.h"
 #include "engine/analysis/rattlers.h"
 
 namespace furnas {
@@ -15,8 +16,11 @@ bool StillRattlers::due(Observation& now) {
 std::optional<Verdict> StillRattlers::fire(Observation& now) {
   Packing packing = now.packing();
   const std::vector<bool> out = rattlers(packing, live_contacts(packing), now.measures().backbone_threshold);
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    if (out[k]) packing.velocity[k] = packing.spin[k] = {};
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    if (!out[k]) continue;
+    packing.ledger.stilled += kinetic_energy(packing, k);
+    packing.velocity[k] = packing.spin[k] = {};
+  }
   now.replace(packing);
   ++count_;
   return {};

@@ -19,7 +19,9 @@ struct Frictionless {
   Reaction<R> operator()(const Touch<R>& t, Vec3<R>&) const {
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     const Vec3<R>& velocity = synchronized ? t.now.velocity : t.midway.velocity;
-    return {normal_force(constants, t.overlap, t.reduced_mass, dot(velocity, n)) * n, R(0)};
+    const R v_n = dot(velocity, n);
+    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, v_n);
+    return {f_n * n, t.overlap, R(0), {normal_loss(f_n, t.overlap, v_n, t.time_step)}};
   }
 };
 

@@ -9,7 +9,8 @@ namespace furnas {
 ///
 /// It mixes instants on purpose: the velocities are those of the middle of the step, the normal that of
 /// its end; the tangential history is projected on the new contact plane without keeping its length;
-/// the lever arms are the full radii. See docs/decisions.md for what that does above a size ratio of 3.
+/// the lever arms are the full radii. docs/verification.md shows what that does to a small sphere between
+/// large ones.
 struct HookeHistory {
   static constexpr const char* name = "hooke_history";
   static constexpr bool spins = true;
@@ -22,10 +23,13 @@ struct HookeHistory {
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
     const R stiffness(constants.tangential_stiffness);
     const Vec3<R> n = t.branch * (R(1) / t.distance);
-    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, dot(t.midway.velocity, n));
+    const R v_n = dot(t.midway.velocity, n);
+    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, v_n);
 
     const Vec3<R> slip = slip_velocity(t.midway, n, t.radius_i, t.radius_j);
-    history += slip * t.time_step;
+    const Vec3<R> before = history;
+    const Vec3<R> way = slip * t.time_step;
+    history += way;
     const bool fresh = history == Vec3<R>{};
     if (t.time_step > R(0)) history -= dot(history, n) * n;
 
@@ -38,10 +42,16 @@ struct HookeHistory {
         f_t = {};
       } else {
         f_t *= limit / size;
-        history = -(f_t + damping) * (R(1) / stiffness);
+        if (stiffness > R(0)) history = -(f_t + damping) * (R(1) / stiffness);
       }
     }
-    return {f_n * n + f_t, R(0)};
+    const R loss =
+        tangential_loss(constants, TangentialStep<R>{before, history, way, damping, slip}, t.time_step);
+    const R sliding = size > limit ? loss : R(0);
+    return {f_n * n + f_t,
+            t.overlap,
+            R(0),
+            {normal_loss(f_n, t.overlap, v_n, t.time_step), loss - sliding, sliding}};
   }
 };
 

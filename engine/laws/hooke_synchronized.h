@@ -39,10 +39,13 @@ struct HookeSynchronized {
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
     const R half = R(0.5);
     const Vec3<R> n = t.branch * (R(1) / t.distance);
-    if (t.time_step > R(0)) history = aged(t, n, history);
+    Vec3<R> before = history;
+    Vec3<R> way{};
+    if (t.time_step > R(0)) age(t, n, history, before, way);
 
     const R shortening = half * t.overlap;
-    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, dot(t.now.velocity, n));
+    const R v_n = dot(t.now.velocity, n);
+    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, v_n);
     const Vec3<R> slip = slip_velocity(t.now, n, t.radius_i - shortening, t.radius_j - shortening);
     const Vec3<R> damping = (t.reduced_mass * R(constants.tangential_damping)) * slip;
     const R stiffness(constants.tangential_stiffness);
@@ -53,18 +56,29 @@ struct HookeSynchronized {
       f_t *= limit / size;
       if (stiffness > R(0)) history = -(f_t + damping) * (R(1) / stiffness);
     }
-    return {f_n * n + f_t, shortening};
+    const R loss =
+        tangential_loss(constants, TangentialStep<R>{before, history, way, damping, slip}, t.time_step);
+    const R sliding = size > limit ? loss : R(0);
+    return {f_n * n + f_t,
+            t.overlap,
+            shortening,
+            {normal_loss(f_n, t.overlap, v_n, t.time_step), loss - sliding, sliding}};
   }
 
  private:
-  /// The history after the step: carried to its middle, grown by the slip there, carried to its end.
+  /// Takes the history through the step: carries it to the middle, adds the slip there, carries it to the
+  /// end. `way` is the slip of the whole step, `before` the history without it.
   template <class R>
-  [[gnu::always_inline]] static Vec3<R> aged(const Touch<R>& t, const Vec3<R>& end, const Vec3<R>& history) {
+  [[gnu::always_inline]] static void age(const Touch<R>& t, const Vec3<R>& end, Vec3<R>& history,
+                                         Vec3<R>& before, Vec3<R>& way) {
     const R half = R(0.5);
     const Vec3<R> step = t.time_step * t.drift;
     const Vec3<R> branch_start = t.branch - step;
     // Centres that passed each other within the step: nothing of the old contact plane is left.
-    if (dot(branch_start, t.branch) <= R(0)) return {};
+    if (dot(branch_start, t.branch) <= R(0)) {
+      history = before = {};
+      return;
+    }
     const Vec3<R> branch_middle = t.branch - half * step;
     const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);
@@ -78,9 +92,12 @@ struct HookeSynchronized {
     const R shortening = half * (reach - distance_middle);
     const Vec3<R> slip = slip_velocity(t.midway, middle, t.radius_i - shortening, t.radius_j - shortening);
     const R twist = (half * t.time_step) * dot(t.midway.spin_i + t.midway.spin_j, middle);
-    Vec3<R> xi = turn(transport(history, start, middle), middle, twist) + (share * t.time_step) * slip;
-    xi = transport(xi, middle, end);
-    return xi - dot(xi, end) * end;  // rounding alone: xi is across the normal already
+    const Vec3<R> increment = (share * t.time_step) * slip;
+    const Vec3<R> xi =
+        transport(turn(transport(history, start, middle), middle, twist) + increment, middle, end);
+    history = xi - dot(xi, end) * end;  // rounding alone: xi is across the normal already
+    before = history - increment;       // but for the turn of the normal within half a step
+    way = t.time_step * slip;
   }
 };
 

@@ -26,11 +26,21 @@ struct Touch {
   R time_step;               ///< [time]; 0 when forces are taken without a step
 };
 
+/// Energy that a contact took out of the motion during the step [k_n d_s^2].
+template <class R>
+struct ContactLosses {
+  R normal_damping{};
+  R tangential_damping{};
+  R sliding{};  ///< all that the tangential force took in a step that ended at the Coulomb limit
+};
+
 /// What the law answers.
 template <class R>
 struct Reaction {
-  Vec3<R> force;   ///< on i; on j it is the opposite [k_n d_s]
-  R shortening{};  ///< lever arms are R - shortening: 0, or overlap/2 when they meet in the contact [d_s]
+  Vec3<R> force;    ///< on i; on j it is the opposite [k_n d_s]
+  R normal_spring;  ///< the elastic part of the normal force, along the branch [k_n d_s]
+  R shortening{};   ///< lever arms are R - shortening: 0, or overlap/2 when they meet in the contact [d_s]
+  ContactLosses<R> losses{};
 };
 
 /// Slip velocity of the surfaces at the contact: the part of v_i - v_j - (a_i w_i + a_j w_j) x n across n.

@@ -10,10 +10,13 @@ namespace {
 constexpr std::size_t chunk = 256;
 
 /// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
-/// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal.
+/// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The shear is exact to its
+/// second order, where it ends, so that a step taken back undoes it; LAMMPS ends it at the first.
 class CellDrag {
  public:
-  CellDrag(const Triangle& rate, std::size_t count, double time_step) : half_(0.5 * time_step), rate_(rate) {
+  CellDrag(const Barostat& bath, const Triangle& rate, std::size_t count, double time_step)
+      : half_(0.5 * time_step), rate_(rate) {
+    if (!bath.legacy) rate_.xz -= 0.5 * half_ * rate.xy * rate.yz;
     const double common = rate.trace() / (3 * static_cast<double>(count));
     factor_ = {std::exp(-0.5 * half_ * (rate.xx + common)), std::exp(-0.5 * half_ * (rate.yy + common)),
                std::exp(-0.5 * half_ * (rate.zz + common))};
@@ -56,12 +59,12 @@ Load<R, spins> sum_of_rows(const PairList& pairs, const std::vector<Row<R, spins
 }  // namespace
 
 template <class Scene>
-void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
+void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     LongestWay& longest_way) {
   using Real = typename Scene::Real;
-  const CellDrag drag(cell.rate, particles.size(), time_step);
+  const CellDrag drag(bath, cell.rate, particles.size(), time_step);
   const Triangle to_fraction_step = inverse(cell.edges);
   longest_way.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
@@ -87,7 +90,7 @@ void kick_and_drift(const double& time_step, const Cell& cell, const PairList& p
 }
 
 template <class Scene>
-void gather_and_kick(const double& time_step, const Cell& cell, const PairList& pairs,
+void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                      const std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
@@ -99,7 +102,7 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
       xx += b.xx, yy += b.yy, zz += b.zz, yz += b.yz, xz += b.xz, xy += b.xy;
     }
   };
-  const CellDrag drag(cell.rate, particles.size(), time_step);
+  const CellDrag drag(bath, cell.rate, particles.size(), time_step);
   const auto sum = ordered_sum<Motion>(particles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     Motion part;
     for (std::size_t i = begin; i < end; ++i) {
@@ -117,12 +120,14 @@ void gather_and_kick(const double& time_step, const Cell& cell, const PairList& 
 }
 
 #define FURNAS_INSTANTIATE(Law)                                                                              \
-  template void kick_and_drift<Scene<Law, double>>(const double&, const Cell&, const PairList&,              \
+  template void kick_and_drift<Scene<Law, double>>(const Barostat&, const double&, const Cell&,              \
+                                                   const PairList&,                                          \
                                                    const std::vector<Load<double, Law::spins>>&,             \
                                                    std::vector<Particle<double, Law::spins>>&, LongestWay&); \
   template void gather_and_kick<Scene<Law, double>>(                                                         \
-      const double&, const Cell&, const PairList&, const std::vector<Row<double, Law::spins>>&,              \
-      std::vector<Load<double, Law::spins>>&, std::vector<Particle<double, Law::spins>>&, Eigen::Matrix3d&);
+      const Barostat&, const double&, const Cell&, const PairList&,                                          \
+      const std::vector<Row<double, Law::spins>>&, std::vector<Load<double, Law::spins>>&,                   \
+      std::vector<Particle<double, Law::spins>>&, Eigen::Matrix3d&);
 FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

@@ -13,7 +13,7 @@ using LongestWay = std::vector<double>;
 
 /// First half of the step for the particles: cell's drag on peculiar velocities, half a kick, drift.
 template <class Scene>
-void kick_and_drift(const double& time_step, const Cell& cell, const PairList& pairs,
+void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     LongestWay& longest_way);
@@ -22,7 +22,7 @@ void kick_and_drift(const double& time_step, const Cell& cell, const PairList& p
 /// half a kick and the cell's drag. `motion` becomes the kinetic part of the stress, times the volume.
 /// With `time_step` 0 only the sums are taken.
 template <class Scene>
-void gather_and_kick(const double& time_step, const Cell& cell, const PairList& pairs,
+void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                      const std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "engine/base/random.h"
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 
 namespace furnas {
 namespace {
@@ -77,8 +78,6 @@ Vec3<double> random_place(std::uint64_t seed, std::uint64_t particle, std::uint3
   return {unit(words[0]), unit(words[1]), unit(words[2])};
 }
 
-double sphere_volume(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
-
 }  // namespace
 
 std::int64_t small_count(const Mixture& m) {
@@ -87,6 +86,10 @@ std::int64_t small_count(const Mixture& m) {
 }
 
 Packing dilute_start(const Mixture& m) {
+  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (m.large + small_count(m) > most)
+    throw InputError(std::to_string(m.large + small_count(m)) + " spheres are wanted; at most " +
+                     std::to_string(most) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);
   const auto small = static_cast<std::size_t>(small_count(m));
   const double large_radius = 0.5 * m.size_ratio;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/state/cell.h"
+#include "engine/state/ledger.h"
 
 namespace furnas {
 
@@ -20,6 +21,7 @@ struct RattlerCount {
 /// What is read off a packing at one instant.
 struct Measures {
   std::int64_t step{};
+  std::int64_t particles{};
   double time{};  ///< [time]
   double phi{};   ///< packing fraction
   Cell cell;
@@ -36,6 +38,13 @@ struct Measures {
   std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4
   int backbone_threshold{};                ///< the z_min whose backbone is used above
   std::int64_t rebuilds{};                 ///< neighbour lists built since the start of this process
+  Energy energy;                           ///< of the particles, all together
+  Ledger ledger;                           ///< where the energy came from and went
+
+  /// The count of rattlers whose backbone is used above.
+  const RattlerCount& backbone() const {
+    return rattlers.at(static_cast<std::size_t>(backbone_threshold - 2));
+  }
 };
 
 }  // namespace furnas

@@ -9,6 +9,7 @@
 #include "engine/base/vec3.h"
 #include "engine/state/cell.h"
 #include "engine/state/fraction.h"
+#include "engine/state/ledger.h"
 #include "engine/state/stress.h"
 
 namespace furnas {
@@ -44,6 +45,7 @@ struct Packing {
   std::vector<Vec3<double>> torque;    ///< sum over contacts [k_n d_s^2]
   std::vector<Contact> contacts;       ///< live contacts
   Stress stress;                       ///< of this instant, as the barostat uses it
+  Ledger ledger;                       ///< where the energy came from and went
   std::vector<std::uint32_t> order;    ///< particle at each place in memory; empty: the engine chooses
 
   std::size_t size() const { return radius.size(); }

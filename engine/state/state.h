@@ -7,6 +7,7 @@
 #include "engine/base/vec3.h"
 #include "engine/state/cell.h"
 #include "engine/state/fraction.h"
+#include "engine/state/ledger.h"
 #include "engine/state/packing.h"
 #include "engine/state/pair_list.h"
 #include "engine/state/stress.h"
@@ -83,6 +84,7 @@ struct State {
   std::int64_t step{};
   Cell cell;
   Stress stress;
+  Ledger ledger;
   std::vector<Particle<Real, Scene::spins>> particles;
   std::vector<Load<Real, Scene::spins>> loads;
   PairList pairs;

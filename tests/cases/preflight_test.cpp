@@ -87,6 +87,22 @@ TEST(Preflight, RefusesWhatTheMachineCannotHold) {
   EXPECT_THAT(refusal, HasSubstr("mixture.large = 2000"));
 }
 
+/// Counts beyond 2^31 and 2^32, in which every product with the bytes of a sphere is beyond both.
+TEST(Preflight, CountsAnyNumberOfSpheres) {
+  Case c;
+  c.mixture.size_ratio = 40;
+  c.mixture.small_fraction = 0.292;
+  EXPECT_THAT(check_case(c).report, HasSubstr("particles 26396480: 1000 large"));  // the study's largest
+  EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 54.14 GB"));
+  c.mixture.large = 10'000'000;
+  c.mixture.size_ratio = 100;
+  c.mixture.small_fraction = 0.75;
+  const Preflight largest = check_case(c);
+  EXPECT_THAT(largest.report, HasSubstr("particles 30000010000000: 10000000 large"));
+  EXPECT_THAT(largest.report, HasSubstr("memory    about 61500020.53 GB"));
+  EXPECT_THAT(largest.refusal, HasSubstr("mixture.large = 10000000"));
+}
+
 TEST(Preflight, MemoryGrowsWithTheSpheres) {
   EXPECT_GT(expected_memory(1e6, true), expected_memory(1e6, false));
   EXPECT_NEAR(expected_memory(3e6, true) - expected_memory(2e6, true),

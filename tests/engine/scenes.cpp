@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/start/mixture.h"
+#include "tests/engine/support/symmetries.h"
 
 namespace furnas {
 
@@ -28,6 +29,11 @@ Packing after(const Model& model, const Packing& start, std::int64_t steps) {
   return simulation->packing();
 }
 
+double inertia_of_cell(const Packing& p) {
+  const double length = std::cbrt(p.sphere_volume() / 0.64);
+  return p.sphere_volume() * length * length / 12;
+}
+
 double kinetic_energy(const Packing& p) {
   double sum = 0;
   for (std::size_t k = 0; k < p.size(); ++k)
@@ -36,9 +42,22 @@ double kinetic_energy(const Packing& p) {
   return sum;
 }
 
+double elastic_energy(const Packing& p, double tangential_stiffness) {
+  double sum = 0;
+  for (const Contact& c : p.contacts)
+    sum += 0.5 * (c.overlap * c.overlap + tangential_stiffness * dot(c.history, c.history));
+  return sum;
+}
+
 Vec3<double> momentum(const Packing& p) {
   Vec3<double> sum;
   for (std::size_t k = 0; k < p.size(); ++k) sum += p.mass[k] * p.velocity[k];
+  return sum;
+}
+
+double elastic_energy(const Packing& p) {
+  double sum = 0;
+  for (const Contact& c : p.contacts) sum += 0.5 * c.overlap * c.overlap;
   return sum;
 }
 
@@ -66,20 +85,25 @@ double sum_of_forces(const Packing& p) {
 Packing reskewed(const Packing& packing, int xy, int xz, int yz) {
   Packing p = packing;
   p.cell.edges = product(packing.cell.edges, {1, 1, 1, double(yz), double(xz), double(xy)});
-  p.image.assign(p.size(), {});
-  // The inverse of the integer matrix, for positions in integers that wrap as the cell does.
-  const int corner = xz - xy * yz;
-  const auto times = [](int n, std::uint64_t s) { return static_cast<std::uint64_t>(std::int64_t{n}) * s; };
-  for (Fraction& s : p.fraction) s = {s.x - times(xy, s.y) - times(corner, s.z), s.y - times(yz, s.z), s.z};
-  const auto cells = [](double x) { return static_cast<std::int8_t>(std::lround(x)); };
-  for (Contact& c : p.contacts) {
-    Vec3<double> d = nearest_difference(packing.fraction[c.i], packing.fraction[c.j]);
-    d += {double(c.image[0]), double(c.image[1]), double(c.image[2])};
-    d = Vec3<double>{d.x - xy * d.y - corner * d.z, d.y - yz * d.z, d.z} -
-        nearest_difference(p.fraction[c.i], p.fraction[c.j]);
-    c.image = {cells(d.x), cells(d.y), cells(d.z)};
-  }
+  test::number_places_by(p, Eigen::Matrix3i{{1, xy, xz}, {0, 1, yz}, {0, 0, 1}});
   return p;
+}
+
+std::vector<Ball> cluster() {
+  std::vector<Ball> balls;
+  for (int k = 0; k < 9; ++k) {
+    const double s = k;
+    balls.push_back({.position = 1.1 * Vec3<double>{std::sin(3 * s), std::sin(4 * s), std::cos(5 * s)},
+                     .velocity = 0.3 * Vec3<double>{std::sin(7 * s), std::cos(2 * s), std::cos(s)},
+                     .spin = {std::cos(s), std::cos(6 * s), std::sin(2 * s)},
+                     .radius = k < 2 ? 1.5 : 0.5});
+  }
+  return balls;
+}
+
+Packing alone(std::vector<Ball> balls, double side) {
+  for (Ball& ball : balls) ball.position += {side / 2, side / 2, side / 2};
+  return packing_of(cube(side), balls);
 }
 
 Model jammed_model() { return model_of<HookeSynchronized>({.friction = 0.3}); }
@@ -88,9 +112,8 @@ const Packing& jammed() {
   static const Packing packing = [] {
     const Packing gas = dilute_start({.size_ratio = 3, .small_fraction = 0.6, .large = 5, .seed = 7});
     Model model = jammed_model();
-    const double length = std::cbrt(gas.sphere_volume() / 0.64);
     model.barostat.freedom = CellFreedom::triclinic;
-    model.barostat.inertia = gas.sphere_volume() * length * length / 12;
+    model.barostat.inertia = inertia_of_cell(gas);
     model.barostat.drag = 0.04;
     constexpr int steps = 30000;
     Packing settled = after(model, gas, steps);

@@ -42,9 +42,19 @@ Model model_of(const HookeConstants& constants, double time_step = paper_step) {
 /// The state after some steps.
 Packing after(const Model& model, const Packing& start, std::int64_t steps);
 
+/// The inertia of the packing itself, W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
+double inertia_of_cell(const Packing& packing);
+
 /// Translation and rotation [k_n d_s^2].
 double kinetic_energy(const Packing& packing);
+
+/// Of the contacts: overlap^2/2 + k_t history^2/2 [k_n d_s^2].
+double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
+
 Vec3<double> momentum(const Packing& packing);
+
+/// Sum of overlap^2/2 over the contacts: all their energy without friction [k_n d_s^2].
+double elastic_energy(const Packing& packing);
 
 /// About the origin, of the unwrapped positions, with spin.
 Vec3<double> angular_momentum(const Packing& packing);
@@ -58,6 +68,12 @@ double sum_of_forces(const Packing& packing);
 /// The same lattice of spheres described by other edges: b gains `xy` times a, c gains `xz` times a and `yz`
 /// times b. Contacts keep what they are about; the count of crossed cells starts anew.
 Packing reskewed(const Packing& packing, int xy, int xz, int yz);
+
+/// A handful of overlapping, spinning spheres of several sizes about the origin.
+std::vector<Ball> cluster();
+
+/// Balls about the origin, put in the middle of a cell so large that they are alone.
+Packing alone(std::vector<Ball> balls, double side = 128);
 
 /// About 200 spheres of size ratio 3 with friction 0.3, compressed to a packing at pressure 1e-4; its
 /// contacts carry histories. Made once, with the default law.

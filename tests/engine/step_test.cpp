@@ -15,16 +15,30 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Forces need the list, the list the places, the places the cell, the cell the forces: one chain.
+/// Whether a phase waits for an earlier one, or for one that does.
+bool comes_after(const StepGraph& step, std::size_t phase, std::size_t earlier) {
+  const auto waits = step.waits_for(phase);
+  return std::any_of(waits.begin(), waits.end(),
+                     [&](std::size_t k) { return k == earlier || comes_after(step, k, earlier); });
+}
+
+// Forces need the list, the list the places, the places the cell, the cell the forces: one chain. Only the
+// ledger is kept beside it.
 TEST(Step, OfAMovingCellIsAChain) {
   const auto simulation = make_simulation(test::hasty_model(0.3), test::hasty_gas(2));
   const StepGraph& step = simulation->graph();
   EXPECT_THAT(step.titles(),
-              ElementsAre("kick the cell", "stretch the cell", "kick and drift", "stretch the cell",
-                          "watch the wear", "measure the wear", "bin the particles", "search the pairs",
-                          "adopt the list", "contact forces", "gather and kick", "kick the cell"));
+              ElementsAre("kick the cell", "book the drag", "stretch the cell", "kick and drift",
+                          "stretch the cell", "watch the wear", "measure the wear", "bin the particles",
+                          "search the pairs", "adopt the list", "contact forces", "book the contacts",
+                          "gather and kick", "book the drag", "kick the cell"));
   EXPECT_THAT(step.waits_for(0), IsEmpty());
-  for (std::size_t k = 1; k < step.titles().size(); ++k) EXPECT_THAT(step.waits_for(k), ElementsAre(k - 1));
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < step.titles().size(); ++k) {
+    if (step.titles()[k].starts_with("book")) continue;
+    EXPECT_TRUE(comes_after(step, k, last)) << step.titles()[k];
+    last = k;
+  }
 }
 
 TEST(Step, OfAFixedCellDoesNotTouchTheCell) {

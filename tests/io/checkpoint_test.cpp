@@ -165,5 +165,15 @@ TEST(Checkpoint, AFailedWriteLeavesTheOldOne) {
   EXPECT_THROW(write_checkpoint(example(8, 8), folder / "none/a"), OutputError);
 }
 
+TEST(Checkpoint, IsKnownByItsFirstBytes) {
+  const TemporaryFolder folder;
+  write_checkpoint({random_packing(1), "", {}}, folder / "a");
+  EXPECT_TRUE(is_checkpoint(folder / "a"));
+  write_file(folder / "b", "FURNASC");
+  EXPECT_FALSE(is_checkpoint(folder / "b"));
+  EXPECT_FALSE(is_checkpoint(folder / "none"));
+  EXPECT_FALSE(is_checkpoint((folder / "a").parent_path()));
+}
+
 }  // namespace
 }  // namespace furnas

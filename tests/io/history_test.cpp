@@ -30,6 +30,9 @@ Measures example(std::int64_t step) {
   m.backbone_threshold = 3;
   m.sliding_share = number(), m.largest_overlap = number();
   m.cell.edges = {2, 3, 4, 0.1, 0.2, 0.3};
+  m.particles = 10;
+  m.energy = {number(), number(), number()};
+  m.ledger = {number(), number(), {number(), number(), number(), number()}, number(), {}};
   return m;
 }
 
@@ -69,6 +72,21 @@ TEST(History, HasAColumnForEachNumber) {
   EXPECT_EQ(value("Xy"), 0.3);
   EXPECT_EQ(value("Xz"), 0.2);
   EXPECT_EQ(value("Yz"), 0.1);
+  EXPECT_EQ(value("NormalEnergy"), m.energy.normal / 10);
+  EXPECT_EQ(value("TangentialEnergy"), m.energy.tangential / 10);
+  EXPECT_EQ(value("CellWork"), m.ledger.cell_work / 10);
+  EXPECT_EQ(value("NormalDamping"), m.ledger.losses.normal_damping / 10);
+  EXPECT_EQ(value("TangentialDamping"), m.ledger.losses.tangential_damping / 10);
+  EXPECT_EQ(value("Sliding"), m.ledger.losses.sliding / 10);
+  EXPECT_EQ(value("Opening"), m.ledger.losses.opening / 10);
+  EXPECT_EQ(value("Stilled"), m.ledger.stilled / 10);
+  const Energy& e = m.energy;
+  const Ledger& l = m.ledger;
+  EXPECT_NEAR(value("EnergyGap"),
+              (e.kinetic + e.normal + e.tangential - l.initial - l.cell_work + l.losses.normal_damping +
+               l.losses.tangential_damping + l.losses.sliding + l.losses.opening + l.stilled) /
+                  10,
+              1e-15);
 }
 
 /// The steps of the rows.

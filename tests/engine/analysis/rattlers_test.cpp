@@ -174,5 +174,31 @@ TEST(LiveContacts, AContactThatPullsCarriesNothing) {
   EXPECT_EQ(live_contacts(p, 0), (std::vector<bool>{true, false, false}));
 }
 
+/// A tetrahedron with a fifth particle held by three contacts that get fainter.
+TEST(RattlerSensitivity, CountsForEveryThresholdOfContactsAndForce) {
+  Packing p = packing_of_graph(5, clique(4) + Edges{{4, 0}, {4, 1}, {4, 2}});
+  p.species[4] = Species::small;
+  // The three contacts are the only large-small ones; their mean is 1.
+  p.contacts[6].force = {2.4, 0, 0};
+  p.contacts[7].force = {0.55, 0, 0};
+  p.contacts[8].force = {0.05, 0, 0};
+  const auto rows = rattler_sensitivity(p, {0, 0.1, 0.6});
+  ASSERT_EQ(rows.size(), 9U);
+  const auto expect = [&](std::size_t row, int least, double share, std::int64_t large, std::int64_t small) {
+    EXPECT_EQ(rows[row].count.least_contacts, least) << row;
+    EXPECT_EQ(rows[row].share, share) << row;
+    EXPECT_EQ(rows[row].count.large, large) << row;
+    EXPECT_EQ(rows[row].count.small, small) << row;
+  };
+  expect(0, 2, 0, 0, 0);
+  expect(1, 2, 0.1, 0, 0);
+  expect(2, 2, 0.6, 0, 1);
+  expect(3, 3, 0, 0, 0);
+  expect(4, 3, 0.1, 0, 1);
+  expect(5, 3, 0.6, 0, 1);
+  for (std::size_t row = 6; row < 9; ++row) expect(row, 4, rows[row].share, 4, 1);
+  EXPECT_EQ(rows[4].count.contacts, 6);
+}
+
 }  // namespace
 }  // namespace furnas

@@ -9,19 +9,12 @@
 
 #include "engine/events/limits.h"
 #include "engine/start/mixture.h"
+#include "tests/engine/scenes.h"
 
 namespace furnas {
 namespace {
 
 constexpr double rounding = 1e-13;
-
-/// A cell that does not move by itself.
-Model still_model() {
-  Model model;
-  model.law = HookeSynchronized{{.friction = 0.3}};
-  model.barostat.freedom = CellFreedom::fixed;
-  return model;
-}
 
 /// Spheres of two sizes that overlap and have slid for a few steps, in a cell with the given tilts in units
 /// of the edge they lean along. The cell is so small that large spheres meet several images.
@@ -36,7 +29,7 @@ Packing tilted_packing(unsigned seed, double yz, double xz, double xy) {
   }
   const double edge = 0.7 * p.cell.edges.xx;
   p.cell.edges = {edge, 0.9 * edge, 1.1 * edge, yz * 0.9 * edge, xz * edge, xy * edge};
-  const auto simulation = make_simulation(still_model(), p);
+  const auto simulation = make_simulation(jammed_model(), p);
   simulation->advance(5);
   return simulation->packing();
 }
@@ -151,7 +144,7 @@ TEST(FlipCell, TheEngineGoesOnFromIt) {
     const Packing before = tilted_packing(seed, yz, xz, xy);
     Packing flipped = before;
     flip_cell(flipped);
-    const auto simulation = make_simulation(still_model(), flipped);
+    const auto simulation = make_simulation(jammed_model(), flipped);
     const Packing loaded = simulation->packing();
     EXPECT_EQ(loaded.stress.contacts, before.stress.contacts);
     EXPECT_EQ(loaded.stress.motion, before.stress.motion);
@@ -177,8 +170,8 @@ TEST(FlipCell, TheMotionGoesOnAsWithoutIt) {
     const Packing before = tilted_packing(seed, yz, xz, xy);
     Packing flipped = before;
     flip_cell(flipped);
-    const auto with = make_simulation(still_model(), flipped);
-    const auto without = make_simulation(still_model(), before);
+    const auto with = make_simulation(jammed_model(), flipped);
+    const auto without = make_simulation(jammed_model(), before);
     with->advance(20);
     without->advance(20);
     const Packing a = with->packing();
@@ -219,19 +212,11 @@ TEST(FlipCell, FlippingBackIsExact) {
   }
 }
 
-/// Elastic energy of the contacts and the energy of motion.
-double energy(const Packing& p) {
-  double sum = 0;
-  for (const Contact& c : p.contacts) sum += 0.5 * (c.overlap * c.overlap + dot(c.history, c.history));
-  for (std::size_t k = 0; k < p.size(); ++k)
-    sum += 0.5 * p.mass[k] *
-           (dot(p.velocity[k], p.velocity[k]) + 0.4 * p.radius[k] * p.radius[k] * dot(p.spin[k], p.spin[k]));
-  return sum;
-}
+double energy(const Packing& p) { return elastic_energy(p) + kinetic_energy(p); }
 
 /// A cell that is sheared at a constant rate, because nothing can stop its inertia.
 Model sheared_model() {
-  Model model = still_model();
+  Model model = jammed_model();
   model.barostat = {.freedom = CellFreedom::triclinic, .pressure = 1e-4, .inertia = 1e30};
   return model;
 }

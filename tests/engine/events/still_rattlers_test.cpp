@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/analysis/energy.h"
 #include "engine/events/limits.h"
 #include "tests/engine/events/resting_story.h"
 
@@ -51,6 +52,7 @@ TEST(StillRattlers, StopsTheRattlersAndNothingElse) {
   StillRattlers still(story.watch);
   still.fire(story.now);
   EXPECT_EQ(still.count(), 1);
+  EXPECT_EQ(story.now.packing().ledger.stilled, kinetic_energy(before, 5));
   const Packing& after = story.now.packing();
   EXPECT_NE(before.spin[5], Vec3<double>{});
   EXPECT_EQ(after.spin[5], Vec3<double>{});

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tests/engine/closed_form.h"
 #include "tests/engine/scenes.h"
 
 namespace furnas {
@@ -30,5 +31,28 @@ inline constexpr int phase_count = 127;
 /// which the spheres meet and part, so the step is varied until duration/step has run through a whole number.
 /// The points form a lattice; they are a prime, so entry, exit and their sum take each value once.
 std::vector<Phase> phases_of_a_collision(double duration, double step);
+
+/// After a collision: slip of the surfaces and the two spins, means over the phases.
+struct Outcome {
+  double slip{}, spin_i{}, spin_j{};
+};
+
+/// Spheres without spin that meet with a normal and a tangential speed, in steps near `step`.
+template <class Law>
+Outcome collide(const HookeConstants& constants, double step, double normal_speed, double tangential_speed,
+                double radius_i, double radius_j) {
+  const double duration = HeadOn{constants.normal_damping, reduced_mass(radius_i, radius_j)}.duration();
+  Outcome mean;
+  for (const Phase& phase : phases_of_a_collision(duration, step)) {
+    const Bounce b = bounce(model_of<Law>(constants, phase.time_step),
+                            {.velocity = {-normal_speed, tangential_speed, 0}, .radius = radius_i},
+                            {.radius = radius_j}, phase.entry);
+    const Packing& p = b.end;
+    mean.slip += (b.approach.y - radius_i * p.spin[0].z - radius_j * p.spin[1].z) / phase_count;
+    mean.spin_i += p.spin[0].z / phase_count;
+    mean.spin_j += p.spin[1].z / phase_count;
+  }
+  return mean;
+}
 
 }  // namespace furnas

@@ -8,6 +8,7 @@
 
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/scenes.h"
+#include "tests/engine/support/driven.h"
 
 namespace furnas {
 namespace {
@@ -78,6 +79,60 @@ TYPED_TEST(History, TwistsWithThePair) {
     EXPECT_LT(norm(xi - V{0, 1e-3 * std::cos(turned), 1e-3 * std::sin(turned)}), 1e-10 * 1e-3);
     EXPECT_NEAR(2 * std::atan(angle / 2), angle, angle * angle * angle / 11.9);
   }
+}
+
+/// Two small spheres that nothing can stop, overlapping along x, with the history xi of the second against
+/// the first.
+Packing unstoppable_pair(double distance, const V& spin, const V& xi) {
+  Packing p = packing_of(cube(16), {{.position = {8 - distance / 2, 8, 8}, .spin = spin},
+                                    {.position = {8 + distance / 2, 8, 8}, .spin = spin}});
+  p.mass.assign(2, 1e30);
+  Contact c;
+  c.i = 1;
+  c.j = 0;
+  c.history = xi;
+  p.contacts = {c};
+  return p;
+}
+
+// T13 through the engine: the pair circles its middle ten times, and the history with it.
+TYPED_TEST(History, TurnsWithACirclingPair) {
+  constexpr double distance = 0.99;
+  constexpr int steps_a_turn = 250;
+  constexpr int steps = 10 * steps_a_turn;
+  const double angle = 2 * std::numbers::pi / steps_a_turn;
+  // In steps of this angle: chords, held by a force that turns the velocity by it.
+  const double spin =
+      (TypeParam::synchronized ? 2 * std::tan(angle / 2) : distance * std::sin(angle)) / time_step;
+  Packing start = unstoppable_pair(distance, {0, 0, spin}, {0, 3e-3, 4e-3});
+  const double speed = distance / 2 * std::sin(angle) / time_step;
+  start.velocity = {{0, -speed, 0}, {0, speed, 0}};
+  const double pull = start.mass[0] * 2 * (1 - std::cos(angle)) / (time_step * time_step);
+  const V middle{8, 8, 8};
+  test::Driven<TypeParam> run(
+      model_of<TypeParam>({.normal_damping = 0, .tangential_damping = 0, .friction = no_sliding}, time_step),
+      start, [&](std::size_t, const V& position, double) { return pull * (middle - position); });
+  run.advance(steps);
+  const double kept = TypeParam::synchronized ? 1 : std::pow(std::cos(angle), steps);
+  // Places in the cell are read to 2e-15 in each step.
+  EXPECT_LT(norm(run.position(1) - V{8 + distance / 2, 8, 8}), 1e-10);
+  EXPECT_LT(norm(run.history(1, 0) - V{0, 3e-3 * kept, 4e-3}), steps * 4e-15);
+}
+
+// T14 through the engine: both spin about the normal.
+TYPED_TEST(History, TwistsWithASpinningPair) {
+  constexpr int steps = 500;
+  constexpr double angle = 0.01;
+  Packing start = unstoppable_pair(0.99, {angle / time_step, 0, 0}, {0, 1e-3, 0});
+  start.order = {0, 1};
+  const Packing end = after(
+      model_of<TypeParam>({.normal_damping = 0, .tangential_damping = 0, .friction = no_sliding}, time_step),
+      start, steps);
+  ASSERT_EQ(end.contacts.size(), 1u);
+  const double sign = end.contacts[0].i == 1 ? 1 : -1;
+  const double turned = TypeParam::synchronized ? steps * 2 * std::atan(angle / 2) : 0;
+  EXPECT_LT(norm(sign * end.contacts[0].history - V{0, 1e-3 * std::cos(turned), 1e-3 * std::sin(turned)}),
+            1e-10 * 1e-3);
 }
 
 // T16: F_n constant, the surfaces displaced through the threshold and back: |F_t| = min(k_t |x|, mu F_n)

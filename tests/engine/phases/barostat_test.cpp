@@ -10,12 +10,6 @@
 namespace furnas {
 namespace {
 
-/// The inertia of the packing itself, W = M L^2/12, L^3 = (volume of the spheres)/0.64.
-double inertia_of_cell(const Packing& p) {
-  const double length = std::cbrt(p.sphere_volume() / 0.64);
-  return p.sphere_volume() * length * length / 12;
-}
-
 Model model_under(double pressure, const Packing& p, CellFreedom freedom, double drag = 0,
                   double time_step = paper_step) {
   Model model = model_of<Frictionless<false>>({}, time_step);

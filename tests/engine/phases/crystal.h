@@ -15,10 +15,6 @@ Packing face_centred(double r, int cells);
 /// Face-centred cubic in its smallest cell, one sphere.
 Packing face_centred_primitive(double r);
 
-/// The same lattice of points seen in a skewed cell: b gains `xy` times a, c gains `xz` times a and `yz`
-/// times b.
-Packing reskewed(const Packing& packing, int xy, int xz, int yz);
-
 /// Pressure of the contacts [k_n/d_s].
 double contact_pressure(const Packing& packing);
 

@@ -45,20 +45,6 @@ TYPED_TEST(Motion, ConservesMomentum) {
   EXPECT_LT(norm(momentum(end) - momentum(start)), 1e-12 * sum);
 }
 
-/// A handful of overlapping, spinning spheres of several sizes, alone in a large cell.
-Packing cluster() {
-  std::vector<Ball> balls;
-  for (int k = 0; k < 9; ++k) {
-    const double s = k;
-    balls.push_back({.position = Vec3<double>{64, 64, 64} +
-                                 1.1 * Vec3<double>{std::sin(3 * s), std::sin(4 * s), std::cos(5 * s)},
-                     .velocity = 0.3 * Vec3<double>{std::sin(7 * s), std::cos(2 * s), std::cos(s)},
-                     .spin = {std::cos(s), std::cos(6 * s), std::sin(2 * s)},
-                     .radius = k < 2 ? 1.5 : 0.5});
-  }
-  return packing_of(cube(128), balls);
-}
-
 /// Sum over the contacts of overlap n x F.
 Vec3<double> couple_of_full_arms(const Packing& p) {
   Vec3<double> sum;
@@ -73,7 +59,7 @@ TYPED_TEST_SUITE(Spin, EveryFrictionLaw, LawName);
 // T22: an isolated cluster keeps its angular momentum when the lever arms meet in the contact, R - overlap/2.
 // With the full radii each step changes it by -(dt/2) sum(overlap n x F) at its start and again at its end.
 TYPED_TEST(Spin, AngularMomentumOfAClusterStays) {
-  const auto simulation = make_simulation(model_of<TypeParam>({.friction = 0.5}), cluster());
+  const auto simulation = make_simulation(model_of<TypeParam>({.friction = 0.5}), alone(cluster()));
   const Packing start = simulation->packing();
   double scale = 0;
   for (std::size_t k = 0; k < start.size(); ++k)

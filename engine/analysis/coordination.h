@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/analysis/contacts.h"
+
+namespace furnas {
+
+/// How many contacts particles have.
+struct Coordination {
+  std::int64_t large{}, small{};           ///< particles that were counted
+  std::array<std::int64_t, 3> contacts{};  ///< of each kind, by PairKind
+
+  std::int64_t particles() const { return large + small; }
+  std::int64_t all_contacts() const { return contacts[0] + contacts[1] + contacts[2]; }
+
+  /// Z = 2 contacts/particles; 0 without particles.
+  double mean() const;
+
+  /// Contacts of a particle of one species with particles of another (or its own), on average; 0 without
+  /// particles. That of large with small is N_ls/N_l, that of small with large N_ls/N_s.
+  double of(Species species, Species with) const;
+
+  /// Contacts of a particle of one species, on average.
+  double of(Species species) const { return of(species, Species::large) + of(species, Species::small); }
+};
+
+/// Counts all particles and contacts.
+Coordination coordination(const Packing& packing);
+
+/// Counts the backbone alone: its particles, and its contacts as backbone_contacts() gives them.
+Coordination coordination(const Packing& packing, const std::vector<bool>& rattler,
+                          const Selection& contacts);
+
+}  // namespace furnas

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/laws/any_law.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// Kinetic energy of particle k: of its peculiar motion and of its spin [k_n d_s^2].
+double kinetic_energy(const Packing& packing, std::size_t k);
+
+/// Energy of all particles, with the springs of this law in their contacts.
+Energy energy(const Packing& packing, const AnyLaw& law);
+
+}  // namespace furnas

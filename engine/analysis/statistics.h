@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace furnas {
+
+/// What a few independent samples say of a mean.
+struct MeanInterval {
+  std::size_t samples{};
+  double mean{};
+  double deviation{};   ///< standard deviation of a sample (n - 1); 0 for fewer than two
+  double half_width{};  ///< the mean lies within +- this with the confidence asked for; infinite for fewer
+                        ///< than two
+
+  double low() const { return mean - half_width; }
+  double high() const { return mean + half_width; }
+};
+
+/// Mean of normally distributed samples with its interval by Student's t.
+MeanInterval mean_interval(const std::vector<double>& samples, double confidence = 0.95);
+
+/// Difference of two means whose samples may scatter differently (Welch), a - b.
+MeanInterval difference_interval(const std::vector<double>& a, const std::vector<double>& b,
+                                 double confidence = 0.95);
+
+}  // namespace furnas

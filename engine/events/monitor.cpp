@@ -1,0 +1,63 @@
+#include "engine/events/monitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analysis/faults.h"
+
+namespace furnas {
+namespace {
+
+constexpr std::size_t audited_particles = 32;
+
+std::string energy_fault(const Measures& m) {
+  const double gap = m.ledger.relative_gap(m.energy.total());
+  if (std::abs(gap) < largest_energy_gap) return {};
+  return "the balance of the energy misses " + std::to_string(gap) + " of what went through at step " +
+         std::to_string(m.step) + ", allowed " + std::to_string(largest_energy_gap) +
+         "; take a shorter time step";
+}
+
+}  // namespace
+
+Monitor::Momentum Monitor::momentum_of(Observation& now) {
+  const Packing& p = now.packing();
+  Momentum m{{}, 0, p.cell.edges, now.step(), now.replaced()};
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    m.sum += p.mass[k] * p.velocity[k];
+    m.flow += p.mass[k] * norm(p.velocity[k]);
+  }
+  return m;
+}
+
+/// Contacts conserve it; the strain of the cell changes it in proportion, rounding a little.
+std::string Monitor::momentum_fault(Observation& now) {
+  const Momentum here = momentum_of(now);
+  std::string fault;
+  if (last_ && last_->replaced == here.replaced) {
+    const Measures& m = now.measures();
+    const double impulse = m.mean_force * static_cast<double>(m.contacts) *
+                           static_cast<double>(here.step - last_->step) * now.simulation().model().time_step;
+    const double strain = strain_between(last_->edges, here.edges);
+    const double allowed =
+        1e-9 * std::max(here.flow, last_->flow) + 1e-12 * impulse + 4 * strain * norm(last_->sum);
+    const double change = norm(here.sum - last_->sum);
+    if (change > allowed)
+      fault = "the momentum of all particles has changed by " + std::to_string(change / allowed) +
+              " times what rounding may do at step " + std::to_string(here.step) +
+              "; this is an error of the program";
+  }
+  last_ = here;
+  return fault;
+}
+
+bool Monitor::due(Observation& now) {
+  sentence_ = fault_of(now.packing(), now.simulation().model());
+  if (sentence_.empty()) sentence_ = energy_fault(now.measures());
+  if (sentence_.empty()) sentence_ = momentum_fault(now);
+  if (sentence_.empty())
+    sentence_ = audit_contacts(now.packing(), audited_particles, static_cast<std::uint64_t>(now.step()));
+  return !sentence_.empty();
+}
+
+}  // namespace furnas

@@ -1,0 +1,32 @@
+#include "engine/phases/keep_ledger.h"
+
+#include <utility>
+
+namespace furnas {
+namespace {
+
+/// sum_ab a_ab b_ab.
+double contraction(const Triangle& a, const Triangle& b) {
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + a.yz * b.yz + a.xz * b.xz + a.xy * b.xy;
+}
+
+}  // namespace
+
+void book_cell_drag(const double& time_step, const std::size_t& particles, const Cell& cell,
+                    const Eigen::Matrix3d& motion, Ledger& ledger) {
+  const Triangle flow{motion(0, 0), motion(1, 1), motion(2, 2), motion(1, 2), motion(0, 2), motion(0, 1)};
+  const double common = cell.rate.trace() / (3 * static_cast<double>(particles));
+  ledger.cell_work -= 0.5 * time_step * (contraction(cell.rate, flow) + common * flow.trace());
+}
+
+void book_contacts(const double& time_step, const Cell& cell, const ContactWork& work, Ledger& ledger) {
+  ledger.cell_work -=
+      0.5 * time_step * (contraction(cell.rate, ledger.last.push) + contraction(cell.rate, work.push));
+  ContactWork here = work;
+  ledger.losses.opening += std::exchange(here.losses.opening, 0);  // a spring goes at once
+  ledger.losses += 0.5 * ledger.last.losses;
+  ledger.losses += 0.5 * here.losses;
+  ledger.last = here;
+}
+
+}  // namespace furnas

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/base/vec3.h"
+#include "engine/state/cell.h"
+
+namespace furnas {
+
+/// Energy of the particles at one instant [k_n d_s^2]. The cell is outside.
+struct Energy {
+  double kinetic{};     ///< of the peculiar translation and of the spin
+  double normal{};      ///< stored in overlaps
+  double tangential{};  ///< stored in tangential springs
+
+  double total() const { return kinetic + normal + tangential; }
+};
+
+/// Energy that contacts took out of the motion [k_n d_s^2].
+struct Losses {
+  double normal_damping{};
+  double tangential_damping{};
+  double sliding{};  ///< by the tangential force of contacts at the Coulomb limit
+  double opening{};  ///< left in the tangential springs of contacts that opened
+
+  double total() const { return normal_damping + tangential_damping + sliding + opening; }
+  void operator+=(const Losses& b) {
+    normal_damping += b.normal_damping;
+    tangential_damping += b.tangential_damping;
+    sliding += b.sliding;
+    opening += b.opening;
+  }
+  friend Losses operator*(double factor, const Losses& l) {
+    return {factor * l.normal_damping, factor * l.tangential_damping, factor * l.sliding, factor * l.opening};
+  }
+};
+
+/// What all contacts do to the energy of the particles at one instant.
+struct ContactWork {
+  /// Sum of force_a branch_b, a <= b, over the forces that the flow of the cell works against; with the rate
+  /// e of the cell its power is -sum e_ab of that [k_n d_s^2].
+  Triangle push;
+  Losses losses;  ///< in a step [k_n d_s^2]
+
+  void add(const Vec3<double>& force, const Vec3<double>& branch) {
+    push.xx += force.x * branch.x, push.yy += force.y * branch.y, push.zz += force.z * branch.z;
+    push.yz += force.y * branch.z, push.xz += force.x * branch.z, push.xy += force.x * branch.y;
+  }
+  void operator+=(const ContactWork& b) {
+    push.xx += b.push.xx, push.yy += b.push.yy, push.zz += b.push.zz;
+    push.yz += b.push.yz, push.xz += b.push.xz, push.xy += b.push.xy;
+    losses += b.losses;
+  }
+};
+
+/// Where the energy of the particles came from and went since the run began [k_n d_s^2].
+struct Ledger {
+  double initial{};    ///< energy at the start
+  double cell_work{};  ///< done by the moving cell on the particles
+  Losses losses;
+  double stilled{};  ///< kinetic energy taken out of rattlers
+  ContactWork last;  ///< of the last step: a force acts over half a step before its instant and after it
+
+  /// What the balance misses of `energy`: 0 but for the error of the time step.
+  double gap(double energy) const { return energy - initial - cell_work + losses.total() + stilled; }
+
+  /// The gap as a share of the energy that went through: the start's and the cell's work.
+  double relative_gap(double energy) const {
+    const double turnover = initial + std::abs(cell_work);
+    return turnover > 0 ? gap(energy) / turnover : 0;
+  }
+};
+
+}  // namespace furnas

@@ -1,0 +1,231 @@
+#include "io/analysis_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/require.h"
+
+namespace furnas {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double share(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+Json as_json(const Coordination& c) {
+  const auto of = [&](Species species, std::int64_t count) {
+    if (count == 0) return Json(nullptr);
+    return Json{{"with_large", c.of(species, Species::large)},
+                {"with_small", c.of(species, Species::small)},
+                {"with_all", c.of(species)}};
+  };
+  return {{"Z", c.mean()},
+          {"large", c.large},
+          {"small", c.small},
+          {"contacts", c.all_contacts()},
+          {"large_large_contacts", c.contacts[0]},
+          {"large_small_contacts", c.contacts[1]},
+          {"small_small_contacts", c.contacts[2]},
+          {"contacts_of_a_large_sphere", of(Species::large, c.large)},
+          {"contacts_of_a_small_sphere", of(Species::small, c.small)}};
+}
+
+Json as_json(const Fabric& f) {
+  const auto& t = f.tensor;
+  return {{"contacts", f.contacts},
+          {"tensor", {{"xx", t[0]}, {"yy", t[1]}, {"zz", t[2]}, {"xy", t[3]}, {"xz", t[4]}, {"yz", t[5]}}},
+          {"anisotropy", f.anisotropy()},
+          {"anisotropy_by_chance", f.anisotropy_by_chance()}};
+}
+
+Json as_json(const ContactAnalysis& c) {
+  Json json = {{"kind", name_of(c.kind)},
+               {"contacts", c.normal.contacts},
+               {"mean_normal_force", c.normal.mean},
+               {"largest_normal_force", c.normal.largest},
+               {"mean_tangential_force", c.tangential.mean},
+               {"largest_tangential_force", c.tangential.largest}};
+  if (c.mobilisation) {
+    json["mean_mobilisation"] = c.mobilisation->mean;
+    json["sliding_share"] = c.mobilisation->sliding_share();
+    json["beyond_friction"] = c.mobilisation->beyond;
+  }
+  json["fabric"] = as_json(c.fabric);
+  return json;
+}
+
+Json as_json(const NetworkAnalysis& n, const Analysis& a) {
+  Json json = {{"coordination", as_json(n.coordination)},
+               {"backbone_threshold", a.backbone_threshold},
+               {"backbone_coordination", as_json(n.backbone_coordination)}};
+  for (const RattlerSensitivity& row : n.rattlers)
+    json["rattlers"].push_back({{"least_contacts", row.count.least_contacts},
+                                {"live_force_share", row.share},
+                                {"large", row.count.large},
+                                {"small", row.count.small},
+                                {"backbone", row.count.backbone},
+                                {"contacts", row.count.contacts},
+                                {"coordination", row.count.coordination}});
+  for (std::size_t k = 0; k < n.fabric.size(); ++k) {
+    if (n.fabric[k].contacts == 0) continue;
+    Json fabric = {{"kind", name_of(k == 0 ? std::nullopt : std::optional(pair_kinds[k - 1]))}};
+    fabric.update(as_json(n.fabric[k]));
+    json["fabric"].push_back(fabric);
+  }
+  for (const ContactAnalysis& c : n.backbone) json["backbone"].push_back(as_json(c));
+  return json;
+}
+
+Json as_json(const PairCorrelation& p) {
+  const auto highest = std::max_element(p.g.begin(), p.g.end()) - p.g.begin();
+  return {
+      {"kind", name_of(p.kind)},
+      {"contact_distance", p.contact},
+      {"origins", p.origins},
+      {"reach", p.edges.back()},
+      {"bin", p.edges[1]},
+      {"highest",
+       {{"r", p.centre(static_cast<std::size_t>(highest))}, {"g", p.g[static_cast<std::size_t>(highest)]}}}};
+}
+
+std::string summary(const AnalysisRecord& r) {
+  const Analysis& a = r.analysis;
+  Json json = {{"source", r.source},
+               {"step", r.step},
+               {"phi_J", r.phi_J ? Json(*r.phi_J) : Json(nullptr)},
+               {"phi", a.phi},
+               {"small_fraction", a.small_fraction},
+               {"phi_L", a.phi_large},
+               {"phi_S", a.phi_small},
+               {"large", a.large},
+               {"small", a.small},
+               {"friction", a.friction},
+               {"contacts_are", !a.network                ? Json(nullptr)
+                                : r.contacts_are_overlaps ? Json("overlaps")
+                                                          : Json("of the source")}};
+  if (a.network) json["network"] = as_json(*a.network, a);
+  json["pair_correlation"] = Json::array();
+  for (const PairCorrelation& p : a.pairs) json["pair_correlation"].push_back(as_json(p));
+  return json.dump(2) + "\n";
+}
+
+std::string coordination_table(const AnalysisRecord& r) {
+  if (!r.analysis.network) return {};
+  std::string text = "particles,species,count,contacts_with_large,contacts_with_small,contacts\n";
+  const auto rows = [&](const char* particles, const Coordination& c) {
+    if (c.large > 0)
+      text += fmt::format("{},large,{},{},{},{}\n", particles, c.large, c.of(Species::large, Species::large),
+                          c.of(Species::large, Species::small), c.of(Species::large));
+    if (c.small > 0)
+      text += fmt::format("{},small,{},{},{},{}\n", particles, c.small, c.of(Species::small, Species::large),
+                          c.of(Species::small, Species::small), c.of(Species::small));
+  };
+  rows("all", r.analysis.network->coordination);
+  rows("backbone", r.analysis.network->backbone_coordination);
+  return text;
+}
+
+std::string rattlers_table(const AnalysisRecord& r) {
+  if (!r.analysis.network) return {};
+  std::string text =
+      "least_contacts,live_force_share,large,small,large_share,small_share,backbone,contacts,coordination\n";
+  for (const auto& [live_share, c] : r.analysis.network->rattlers)
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", c.least_contacts, live_share, c.large, c.small,
+                        share(c.large, r.analysis.large), share(c.small, r.analysis.small), c.backbone,
+                        c.contacts, c.coordination);
+  return text;
+}
+
+void add_rows(std::string& text, const std::string& begin, const Histogram& h) {
+  for (std::size_t b = 0; b < h.bins(); ++b)
+    text += fmt::format("{},{:.12g},{:.12g},{},{}\n", begin, h.edges[b], h.edges[b + 1], h.counts[b],
+                        h.density(b));
+}
+
+std::string forces_table(const AnalysisRecord& r) {
+  if (!r.analysis.network) return {};
+  std::string text = "force,kind,low,high,count,density\n";
+  for (const ContactAnalysis& c : r.analysis.network->backbone) {
+    add_rows(text, fmt::format("normal,{}", name_of(c.kind)), c.normal.histogram);
+    add_rows(text, fmt::format("tangential,{}", name_of(c.kind)), c.tangential.histogram);
+  }
+  return text;
+}
+
+std::string mobilisation_table(const AnalysisRecord& r) {
+  if (!r.analysis.network || r.analysis.friction == 0) return {};
+  std::string text = "kind,low,high,count,density\n";
+  for (const ContactAnalysis& c : r.analysis.network->backbone)
+    if (c.mobilisation) add_rows(text, std::string(name_of(c.kind)), c.mobilisation->histogram);
+  return text;
+}
+
+std::string fabric_table(const AnalysisRecord& r) {
+  if (!r.analysis.network) return {};
+  std::string text = "contacts_of,kind,contacts,xx,yy,zz,xy,xz,yz,anisotropy,anisotropy_by_chance\n";
+  const auto row = [&](const char* of, const std::optional<PairKind>& kind, const Fabric& f) {
+    if (f.contacts > 0)
+      text += fmt::format("{},{},{},{},{},{}\n", of, name_of(kind), f.contacts, fmt::join(f.tensor, ","),
+                          f.anisotropy(), f.anisotropy_by_chance());
+  };
+  const auto& network = *r.analysis.network;
+  for (std::size_t k = 0; k < network.fabric.size(); ++k)
+    row("all", k == 0 ? std::nullopt : std::optional(pair_kinds[k - 1]), network.fabric[k]);
+  for (const ContactAnalysis& c : network.backbone) row("backbone", c.kind, c.fabric);
+  return text;
+}
+
+std::string pair_correlation_table(const AnalysisRecord& r) {
+  if (r.analysis.pairs.empty()) return {};
+  std::string text = "kind,low,high,count,g,error,neighbours\n";
+  for (const PairCorrelation& p : r.analysis.pairs)
+    for (std::size_t b = 0; b < p.g.size(); ++b)
+      text += fmt::format("{},{:.12g},{:.12g},{},{},{},{}\n", name_of(p.kind), p.edges[b], p.edges[b + 1],
+                          p.counts[b], p.g[b], p.error[b], p.neighbours[b]);
+  return text;
+}
+
+constexpr AnalysisFile table[] = {
+    {"analysis.json", summary},
+    {"coordination.csv", coordination_table},
+    {"rattlers.csv", rattlers_table},
+    {"forces.csv", forces_table},
+    {"mobilisation.csv", mobilisation_table},
+    {"fabric.csv", fabric_table},
+    {"pair_correlation.csv", pair_correlation_table},
+};
+
+}  // namespace
+
+std::span<const AnalysisFile> analysis_files() { return table; }
+
+std::string_view name_of(const std::optional<PairKind>& kind) {
+  if (!kind) return "all";
+  switch (*kind) {
+    case PairKind::large_large:
+      return "large-large";
+    case PairKind::large_small:
+      return "large-small";
+    case PairKind::small_small:
+      return "small-small";
+  }
+  return "all";
+}
+
+std::optional<double> read_phi_J(const std::filesystem::path& folder) {
+  const auto path = folder / "result.json";
+  std::ifstream stream(path);
+  if (!stream) return {};
+  const auto json = Json::parse(stream, nullptr, false);
+  if (!json.is_object() || !json.contains("phi_J") || !(json["phi_J"].is_number() || json["phi_J"].is_null()))
+    throw InputError(path.string() + ": phi_J is missing or no number; a result.json of furnas has it");
+  if (json["phi_J"].is_null()) return {};
+  return json["phi_J"].get<double>();
+}
+
+}  // namespace furnas

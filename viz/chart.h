@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/palette.h"
+#include "viz/pixels.h"
+
+namespace furnas {
+
+/// Texts of charts may lower and raise letters: "F_n", "10^{-4}".
+
+/// One axis of a chart.
+struct ChartAxis {
+  std::string title;                ///< what, and its unit
+  bool logarithmic = false;         ///< values that are not positive are left out
+  std::optional<double> low, high;  ///< its ends; so that it holds all data if absent
+};
+
+/// How the points of a series are joined.
+enum class LineStyle { none, solid, dashed, dotted };
+
+/// What stands at each point of a series.
+enum class Marker { none, circle, square, diamond, cross, plus };
+
+/// Points that belong together. Points with a coordinate that is not a number, or that a logarithmic axis
+/// cannot show, are left out and interrupt the line.
+struct Series {
+  std::string name{};            ///< in the legend; empty: not there
+  std::vector<double> x{}, y{};  ///< of equal length
+  std::vector<double> error{};   ///< half the length of the error bars along y; empty: none
+  Colour colour = black;
+  LineStyle line = LineStyle::solid;
+  Marker marker = Marker::none;
+};
+
+/// The outline of a histogram: n + 1 edges of bins, n heights. On a logarithmic axis an empty bin is a gap.
+Series steps(std::string name, const std::vector<double>& edges, const std::vector<double>& heights,
+             const Colour& colour, LineStyle line = LineStyle::solid);
+
+/// Where the legend stands.
+enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right };
+
+/// A diagram of y against x, for paper: black frame and text on white.
+struct Chart {
+  std::string title;  ///< above; empty: none
+  ChartAxis x, y;
+  std::vector<Series> series;  ///< later ones are drawn over earlier ones
+  /// `automatic` takes the emptiest corner, and makes room above the data where none is empty and `y.high` is
+  /// free. Without names there is no legend.
+  LegendPlace legend = LegendPlace::automatic;
+  int width = 1200;  ///< [pixels]
+  int height = 900;  ///< [pixels]
+};
+
+/// The chart in pixels, smooth-edged. Needs no display. Throws InputError when there is no OpenGL or no such
+/// size, ContractError when x, y and error of a series differ in length or the ends of an axis are in
+/// disorder.
+Pixels render(const Chart& chart);
+
+/// render, to a PNG file; throws InputError also when the file cannot be written.
+void render_png(const Chart& chart, const std::filesystem::path& path);
+
+/// The same picture as lines and text that can be edited; throws OutputError when it cannot be written.
+void render_svg(const Chart& chart, const std::filesystem::path& path);
+
+}  // namespace furnas

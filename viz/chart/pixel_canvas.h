@@ -1,0 +1,14 @@
+#pragma once
+
+#include <functional>
+
+#include "viz/chart/canvas.h"
+#include "viz/pixels.h"
+
+namespace furnas {
+
+/// The pixels of what `paint` draws, smooth-edged. Needs no display; throws InputError when there is no
+/// OpenGL or no such size.
+Pixels painted(int width, int height, const std::function<void(Canvas& canvas)>& paint);
+
+}  // namespace furnas
