@@ -173,7 +173,9 @@ TEST_P(NightlyProtocol, MovesPhiByLessThanTwoHundredths) {
                                     {fmt::format("compaction.{}", GetParam())},
                                     smooth ? 2 : 3});
     EXPECT_EQ(e.jammed, smooth ? 2 : 3);
-    if (e.jammed > 1) EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? 0.6366 : 0.5911, 0.02);
+    if (e.jammed > 1) {
+      EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? 0.6366 : 0.5911, 0.02);
+    }
     expect_closed_ledger(e);
   }
 }
