@@ -55,12 +55,6 @@ Vec3<double> momentum(const Packing& p) {
   return sum;
 }
 
-double elastic_energy(const Packing& p) {
-  double sum = 0;
-  for (const Contact& c : p.contacts) sum += 0.5 * c.overlap * c.overlap;
-  return sum;
-}
-
 Vec3<double> angular_momentum(const Packing& p) {
   Vec3<double> sum;
   for (std::size_t k = 0; k < p.size(); ++k)

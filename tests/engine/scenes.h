@@ -53,9 +53,6 @@ double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
 
 Vec3<double> momentum(const Packing& packing);
 
-/// Sum of overlap^2/2 over the contacts: all their energy without friction [k_n d_s^2].
-double elastic_energy(const Packing& packing);
-
 /// About the origin, of the unwrapped positions, with spin.
 Vec3<double> angular_momentum(const Packing& packing);
 
