@@ -8,6 +8,7 @@ enum class ExitCode {
   internal_error = 1,     ///< a mistake of the program
   bad_case = 2,           ///< the case file, an option or a path cannot be used
   refused = 3,            ///< the preflight found that the case would fail
+  not_certified = 4,      ///< a part of the certificate failed
   budget_spent = 5,       ///< steps or wall time ran out; the run can be resumed
   numerical_failure = 6,  ///< the packing diverged; the last good state is saved
   interrupted = 130,      ///< a signal stopped the run after a checkpoint

@@ -15,6 +15,7 @@
   command(check)                 \
   command(run)                   \
   command(resume)                \
+  command(certify)               \
   command(analyze)               \
   command(render)                \
   command(export)                \

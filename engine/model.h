@@ -3,11 +3,9 @@
 #include <optional>
 
 #include "engine/laws/any_law.h"
+#include "engine/state/cell.h"
 
 namespace furnas {
-
-/// Which of the six deformations the cell may make.
-enum class CellFreedom { triclinic, orthorhombic, cubic, fixed };
 
 /// The pressure bath: how the cell answers to the stress (docs/physics.md).
 struct Barostat {

@@ -48,6 +48,9 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// Which of the six deformations the cell may make.
+enum class CellFreedom { triclinic, orthorhombic, cubic, fixed };
+
 /// How far a cell has been deformed: |F - I| (Frobenius) with F = now then^-1.
 inline double strain_between(const Triangle& then, const Triangle& now) {
   const Triangle f = product(now, inverse(then));

@@ -23,6 +23,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"engine/laws", {"engine/base"}},
     {"engine/model", {"engine/base", "engine/state", "engine/laws"}},
     {"engine/search", {"engine/base", "engine/state"}},
+    // It judges what the others made, so it knows none of them.
+    {"engine/certificate", {"engine/base", "engine/state"}},
     {"engine/start", {"engine/base", "engine/state", "engine/search"}},
     {"engine/analysis", {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search"}},
     {"engine/phases",

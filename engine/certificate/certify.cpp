@@ -1,0 +1,186 @@
+#include "engine/certificate/certify.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "engine/certificate/backbone.h"
+#include "engine/certificate/constraints.h"
+#include "engine/certificate/modes.h"
+#include "engine/certificate/moduli.h"
+#include "engine/certificate/statics.h"
+
+namespace furnas {
+namespace {
+
+/// A fixed cell may hold any pressure that is one.
+constexpr double least_pressure = 1e-12;
+
+double real(std::int64_t count) { return static_cast<double>(count); }
+
+/// What carries: every overlap is a spring, however weak. Without friction a sphere is held by four, which
+/// must enclose it; with friction by two that stick.
+CoreRule core_rule(const Springs& springs) {
+  return {.force_share = 0, .least_contacts = springs.friction > 0 ? 2 : 4, .by_constraints = true};
+}
+
+Part backbone_part(const ContactNetwork& network, const std::vector<Species>& species,
+                   const Backbone& backbone) {
+  const Percolation across = percolation(backbone);
+  Part part;
+  part.name = "backbone";
+  part.asks = "Is there a set of particles with z_min contacts each that spans the cell in all directions?";
+  part.findings = {
+      at_least("particles of the backbone, every overlap counted", real(std::ssize(backbone.particles)), 1),
+      at_least("directions in which it meets its own image", across.directions, 3),
+      at_most("connected pieces", real(across.pieces), 1),
+      at_most("members with fewer than z_min contacts, rattlers with as many", real(backbone.rule_breaks),
+              0)};
+  for (const double share : {0.001, 0.01, 0.1})
+    for (const int least : {2, 3, 4})
+      part.findings.push_back(
+          told("backbone with z_min " + std::to_string(least) + ", F_n > " +
+                   std::to_string(share).substr(0, 5) + " of its mean",
+               real(std::ssize(find_backbone(network, species, {share, least}).particles))));
+  part.note =
+      "The other parts use the first of these sets: a weak contact is a spring like any other, and the "
+      "spheres "
+      "that stand on three strong contacts and a weak one carry as much as their neighbours.";
+  return part;
+}
+
+Part balance_part(const ContactNetwork& network, const Backbone& backbone, const CertificateTerms& terms) {
+  const Imbalance found = imbalance(network, backbone);
+  Part part;
+  part.name = "force balance";
+  part.asks = "Do the static forces and torques on every member of the backbone cancel?";
+  part.findings = {
+      at_most("mean |net force|/mean contact force", found.mean_force, terms.imbalance),
+      at_most("largest |net force|/mean contact force", found.largest_force, terms.single_imbalance),
+      at_most("mean |net torque|/(mean contact force R)", found.mean_torque, terms.imbalance),
+      at_most("largest |net torque|/(mean contact force R)", found.largest_torque, terms.single_imbalance)};
+  part.note = found.mean_force <= terms.tight_imbalance ? "tight" : part.passed() ? "loose" : "";
+  return part;
+}
+
+Part stress_part(const ContactNetwork& network, const CertificateTerms& terms) {
+  const Eigen::Matrix3d p = static_stress(network);
+  const Eigen::Matrix3d symmetric = 0.5 * (p + p.transpose());
+  Part part;
+  part.name = "stress";
+  part.asks = "Do the contacts carry the applied pressure, in every component that the cell can answer to?";
+  if (terms.freedom == CellFreedom::fixed) {
+    part.findings = {at_least("pressure [k_n/d_s]", p.trace() / 3, least_pressure)};
+    part.note = "The cell is fixed: no pressure is applied.";
+    return part;
+  }
+  const bool shape = terms.freedom != CellFreedom::cubic;
+  const bool shears = terms.freedom == CellFreedom::triclinic;
+  const auto component = [&](const char* name, double error, bool answers) {
+    part.findings.push_back(answers ? at_most(name, std::abs(error), terms.stress_error) : told(name, error));
+  };
+  const Eigen::Matrix3d error = symmetric / terms.pressure - Eigen::Matrix3d::Identity();
+  component("|mean - p_a|/p_a", error.trace() / 3, true);
+  component("|P_xx - p_a|/p_a", error(0, 0), shape);
+  component("|P_yy - p_a|/p_a", error(1, 1), shape);
+  component("|P_zz - p_a|/p_a", error(2, 2), shape);
+  component("|P_xy|/p_a", error(0, 1), shears);
+  component("|P_xz|/p_a", error(0, 2), shears);
+  component("|P_yz|/p_a", error(1, 2), shears);
+  component("largest |P_ab - P_ba|/p_a", (p - p.transpose()).cwiseAbs().maxCoeff() / terms.pressure, true);
+  return part;
+}
+
+Part friction_part(const ContactNetwork& network, const Backbone& backbone, const CertificateTerms& terms) {
+  const FrictionState state = friction_state(network, backbone);
+  Part part;
+  part.name = "friction";
+  part.asks = "Does every contact push, and stay within its Coulomb cone?";
+  part.findings = {at_least("smallest F_n/mean F_n", state.least_normal, 0)};
+  if (!network.frictional()) {
+    part.note = "Without friction there is no tangential force to judge.";
+    return part;
+  }
+  part.findings.push_back(
+      at_most("largest (|F_t| - mu F_n)/(mu mean F_n)", state.largest_excess, terms.cone_excess));
+  part.findings.push_back(
+      told("share of the contacts that slide", real(state.sliding) / real(std::ssize(backbone.bonds))));
+  return part;
+}
+
+Part constraint_part(const ContactNetwork& network, const Backbone& backbone, CellFreedom freedom) {
+  const ConstraintCount count = count_constraints(network, backbone, freedom);
+  Part part;
+  part.name = "constraint count";
+  part.asks = "Are there as many constraints as there are ways to move?";
+  part.findings = {at_least("constraints of the contacts", real(count.constraints), real(count.needed)),
+                   told("excess over the isostatic number", real(count.constraints - count.needed)),
+                   told("contacts among the backbone", real(std::ssize(backbone.bonds))),
+                   told("coordination of the backbone",
+                        2 * real(std::ssize(backbone.bonds)) / real(std::ssize(backbone.particles)))};
+  return part;
+}
+
+Part stability_part(const Modes& modes, std::int64_t sliding) {
+  Part part;
+  part.name = "stability";
+  part.asks = "Does every small motion of the backbone and its cell cost energy?";
+  part.proves = Proves::sufficient;
+  const double lowest = modes.lowest.empty() ? NAN : modes.lowest.front();
+  part.findings = {at_least("stiffness factored and eigenvalues converged", modes.valid ? 1 : 0, 1),
+                   at_most("negative eigenvalues", real(modes.negative), 0),
+                   at_least("lowest eigenvalue besides translation [k_n]", lowest, flat_mode),
+                   at_most("largest |K v - lambda v| [k_n]", modes.residual, 1e-8)};
+  for (std::size_t k = 0; k < modes.lowest.size(); ++k)
+    part.findings.push_back(told("eigenvalue " + std::to_string(k + 1) + " [k_n]", modes.lowest[k]));
+  if (sliding > 0) {
+    part.proves = Proves::necessary;
+    part.note = "At contacts that slide, F_t follows F_n; that part of the stiffness is left out.";
+  }
+  return part;
+}
+
+Part moduli_part(const Moduli& moduli, CellFreedom freedom) {
+  Part part;
+  part.name = "moduli";
+  part.asks = "Does the packing resist a small compression and small shears?";
+  part.findings = {at_least("bulk modulus K [k_n/d_s]", moduli.bulk, flat_mode)};
+  const auto shear = [&](const char* name, double value) {
+    // A cell that cannot shear need not resist it.
+    part.findings.push_back(freedom == CellFreedom::triclinic ? at_least(name, value, flat_mode)
+                                                              : told(name, value));
+  };
+  shear("shear modulus G, mean of all directions [k_n/d_s]", moduli.shear);
+  shear("least shear modulus of any direction [k_n/d_s]", moduli.least_shear);
+  return part;
+}
+
+}  // namespace
+
+Certificate certify(const Packing& packing, const CertificateTerms& terms) {
+  const ContactNetwork network = contact_network(packing, terms.springs);
+  const Backbone backbone = find_backbone(network, packing.species, core_rule(terms.springs));
+  const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
+  const Modes modes = find_modes(stiffness, terms.freedom, terms.eigenvalues);
+  const Moduli moduli = moduli_of(modes.relaxed / network.volume);
+
+  Certificate certificate;
+  certificate.particles = std::ssize(packing.radius);
+  certificate.backbone = std::ssize(backbone.particles);
+  certificate.contacts = std::ssize(backbone.bonds);
+  certificate.unlisted = network.unlisted;
+  certificate.open = network.open;
+  certificate.bulk_modulus = moduli.bulk;
+  certificate.shear_modulus = moduli.shear;
+  certificate.eigenvalues = modes.lowest;
+  certificate.parts = {backbone_part(network, packing.species, backbone),
+                       balance_part(network, backbone, terms),
+                       stress_part(network, terms),
+                       friction_part(network, backbone, terms),
+                       constraint_part(network, backbone, terms.freedom),
+                       stability_part(modes, friction_state(network, backbone).sliding),
+                       moduli_part(moduli, terms.freedom)};
+  certificate.tight = certificate.parts[1].passed() && certificate.parts[1].note == "tight";
+  return certificate;
+}
+
+}  // namespace furnas

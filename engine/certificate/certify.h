@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/certificate/contact_network.h"
+#include "engine/certificate/part.h"
+#include "engine/state/cell.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// What a packing claims to be, and how closely it must be that.
+struct CertificateTerms {
+  Springs springs;
+  CellFreedom freedom = CellFreedom::triclinic;
+  double pressure = 1e-4;  ///< p_a; without meaning in a fixed cell [k_n/d_s]
+  int least_contacts = 4;  ///< z_min: with fewer contacts a particle is no part of the backbone
+
+  double tight_imbalance = 1e-4;   ///< mean |net force|/mean |F| that is called tight
+  double imbalance = 1e-3;         ///< the same, that is accepted
+  double single_imbalance = 5e-2;  ///< of any one particle
+  double stress_error = 1e-3;      ///< |P - p_a| of each component the cell answers to, over p_a
+  double cone_excess = 1e-2;       ///< (|F_t| - mu F_n)/(mu mean F_n) of any one contact
+  int eigenvalues = 6;             ///< shown
+};
+
+/// The answers of all parts about a packing.
+struct Certificate {
+  std::int64_t particles{};
+  std::int64_t backbone{};
+  std::int64_t contacts{};          ///< among the backbone
+  std::int64_t unlisted{};          ///< contacts of the geometry that the packing's list does not have
+  std::int64_t open{};              ///< contacts of the list whose spheres do not overlap
+  bool tight{};                     ///< the balance of forces is within the tight limit
+  double bulk_modulus{};            ///< K, not a number if it could not be had [k_n/d_s]
+  double shear_modulus{};           ///< G, mean over directions [k_n/d_s]
+  std::vector<double> eigenvalues;  ///< the lowest [k_n]
+  std::vector<Part> parts;
+
+  bool passed() const {
+    return std::all_of(parts.begin(), parts.end(), [](const Part& p) { return p.passed(); });
+  }
+};
+
+/// Asks whether a packing is jammed, from its positions, radii, cell and tangential histories alone; reads no
+/// force, velocity or sum of the run and shares no code with its search, laws or step (docs/certificate.md).
+Certificate certify(const Packing& packing, const CertificateTerms& terms);
+
+}  // namespace furnas

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// What holds two spheres in contact at rest, with k_n = 1.
+struct Springs {
+  double tangential = 1;   ///< k_t [k_n]
+  double friction = 0;     ///< Coulomb coefficient mu; 0: no tangential springs, no rotations
+  bool arms_meet = true;   ///< lever arms end in the middle of the overlap, not at the full radius
+  double at_limit = 1e-3;  ///< a contact slides when |F_t| reaches (1 - at_limit) mu F_n
+};
+
+/// A contact at rest: what it is and what it exerts without any motion.
+struct StaticContact {
+  std::uint32_t i{}, j{};
+  std::array<std::int64_t, 3> cells{};  ///< as in Overlap
+  Vec3<double> branch;                  ///< centre of j (its image) to centre of i [d_s]
+  Vec3<double> normal;                  ///< branch/|branch|
+  double distance{};                    ///< |branch| [d_s]
+  double arm_i{}, arm_j{};              ///< from the centres to the contact point [d_s]
+  double normal_force{};                ///< F_n = k_n overlap > 0 [k_n d_s]
+  Vec3<double> tangential_force;        ///< F_t = -k_t xi, on i [k_n d_s]
+  bool sliding{};                       ///< at the Coulomb limit
+  bool known{};                         ///< the packing's list has it, with its history
+
+  Vec3<double> force() const { return normal_force * normal + tangential_force; }  ///< on i [k_n d_s]
+};
+
+/// The contacts of a packing as its positions, radii, cell and histories make them. Nothing else of the
+/// packing is read: no force, no branch, no velocity, no sum of the run.
+struct ContactNetwork {
+  Springs springs;
+  std::vector<double> radius;  ///< of each particle [d_s]
+  double volume{};             ///< of the cell [d_s^3]
+  std::vector<StaticContact> contacts;
+  double mean_force{};         ///< mean |F| of all contacts; 0 without any [k_n d_s]
+  double mean_normal_force{};  ///< [k_n d_s]
+  std::int64_t unlisted{};     ///< contacts that the packing's list does not have
+  std::int64_t open{};         ///< contacts of the packing's list whose spheres do not overlap
+
+  bool frictional() const { return springs.friction > 0; }
+};
+
+/// Finds the contacts and evaluates their forces at rest.
+ContactNetwork contact_network(const Packing& packing, const Springs& springs);
+
+}  // namespace furnas

@@ -1,0 +1,209 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "io/checkpoint.h"
+#include "tests/cases/runs.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// One of the jammed packings of 200 equal spheres that tests/data/README.md describes, as a run would save
+/// it.
+Checkpoint jammed_packing(const std::string& friction) {
+  const Json json = Json::parse(content(test_data("jammed.mu" + friction + ".json")));
+  Checkpoint checkpoint;
+  checkpoint.case_text = "[contact]\nfriction = " + friction + "\n[compaction]\npressure = 1e-4\n";
+  Packing& p = checkpoint.packing;
+  const std::vector<double> h = json["edges"];
+  p.cell.edges = {h[0], h[1], h[2], h[3], h[4], h[5]};
+  p.resize(json["fraction"].size());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Json& s = json["fraction"][k];
+    p.fraction[k] = {s[0], s[1], s[2]};
+    p.radius[k] = 0.5;
+    p.mass[k] = std::numbers::pi / 6;
+  }
+  for (const Json& row : json["contacts"]) {
+    Contact c;
+    c.i = row[0], c.j = row[1];
+    c.image = {row[2], row[3], row[4]};
+    c.history = {row[5], row[6], row[7]};
+    Vec3<double> d = nearest_difference(p.fraction[c.i], p.fraction[c.j]);
+    d += {double(c.image[0]), double(c.image[1]), double(c.image[2])};
+    c.branch = p.cell.edges * d;
+    c.overlap = 1 - norm(c.branch);
+    p.contacts.push_back(c);
+  }
+  return checkpoint;
+}
+
+/// A jammed packing, before and after a test has laid hands on it.
+class Certified {
+ public:
+  explicit Certified(const std::string& friction) : checkpoint(jammed_packing(friction)) {}
+
+  /// What the command says of the packing as it is now.
+  Answer certify(const std::vector<std::string>& options = {}) const {
+    write_checkpoint(checkpoint, path("a.checkpoint"));
+    std::vector<std::string> arguments{"certify", path("a.checkpoint")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return furnas(arguments);
+  }
+  Json json() const { return Json::parse(content(path("certificate.json"))); }
+  std::vector<std::string> failed(const std::vector<std::string>& options = {}) const {
+    const Answer answer = certify(options);
+    const std::vector<std::string> parts = json()["failed"];
+    EXPECT_EQ(answer.code, parts.empty() ? ExitCode::done : ExitCode::not_certified) << answer.err;
+    EXPECT_EQ(content(path("certificate.txt")), answer.out);
+    for (const std::string& part : parts) EXPECT_THAT(answer.out, HasSubstr("FAILED  " + part));
+    return parts;
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  Packing& packing() { return checkpoint.packing; }
+  Checkpoint checkpoint;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// Without a particle and all that touches it.
+void take_out(Packing& p, std::uint32_t gone) {
+  const auto drop = [&](auto& list) { list.erase(list.begin() + gone); };
+  drop(p.species), drop(p.radius), drop(p.mass), drop(p.fraction), drop(p.image);
+  drop(p.velocity), drop(p.spin), drop(p.force), drop(p.torque);
+  p.order.clear();
+  std::erase_if(p.contacts, [&](const Contact& c) { return c.i == gone || c.j == gone; });
+  for (Contact& c : p.contacts) c.i -= c.i > gone, c.j -= c.j > gone;
+}
+
+/// The contact with the largest overlap.
+Contact& strongest(Packing& p) {
+  return *std::max_element(p.contacts.begin(), p.contacts.end(),
+                           [](const Contact& a, const Contact& b) { return a.overlap < b.overlap; });
+}
+
+TEST(Certify, PassesJammedPackings) {
+  for (const char* friction : {"0", "0.3"}) {
+    Certified packing(friction);
+    EXPECT_THAT(packing.failed(), IsEmpty()) << friction;
+    const Json json = packing.json();
+    EXPECT_EQ(json["passed"], true);
+    EXPECT_EQ(json["contacts_not_in_the_list"], 0);
+    EXPECT_EQ(json["listed_contacts_that_are_open"], 0);
+    EXPECT_GT(json["bulk_modulus"], 0.15);
+    EXPECT_LT(json["bulk_modulus"], 0.35);
+    EXPECT_GT(json["shear_modulus"], 0);
+    EXPECT_EQ(json["parts"].size(), 7u);
+    EXPECT_EQ(json["eigenvalues"].size(), 6u);
+  }
+}
+
+// Nothing that the run has summed up is read: forces, velocities and stress may say what they like.
+TEST(Certify, BelievesNothingButPositionsAndHistories) {
+  Certified packing("0.3");
+  packing.certify();
+  const Json expected = packing.json();
+  for (auto& f : packing.packing().force) f = {1, 2, 3};
+  for (auto& v : packing.packing().velocity) v = {1, 2, 3};
+  for (Contact& c : packing.packing().contacts) c.force = {1, 2, 3}, c.overlap = 1, c.sliding = !c.sliding;
+  packing.packing().stress.contacts.setZero();
+  packing.certify();
+  EXPECT_EQ(packing.json(), expected);
+}
+
+// 1e-3 is several times the mean overlap: nearly all contacts open.
+TEST(Certify, RefusesAnExpandedPacking) {
+  for (const char* friction : {"0", "0.3"}) {
+    Certified packing(friction);
+    Triangle& h = packing.packing().cell.edges;
+    h = product({1.001, 1.001, 1.001, 0, 0, 0}, h);
+    EXPECT_THAT(packing.failed(), testing::AllOf(Contains("backbone"), Contains("stress"))) << friction;
+  }
+}
+
+TEST(Certify, RefusesAPackingWithoutASphereOfItsBackbone) {
+  for (const char* friction : {"0", "0.3"}) {
+    Certified packing(friction);
+    take_out(packing.packing(), strongest(packing.packing()).i);
+    EXPECT_THAT(packing.failed(), Contains("force balance")) << friction;
+  }
+}
+
+TEST(Certify, RefusesTangentialForcesBeyondTheirCone) {
+  Certified packing("0.3");
+  Contact& c = strongest(packing.packing());
+  // 5 % above the cone.
+  c.history *= 1.05 * 0.3 * c.overlap / norm(c.history);
+  EXPECT_THAT(packing.failed(), Contains("friction"));
+  EXPECT_THAT(packing.failed({"--cone-excess", "1"}), testing::Not(Contains("friction")));
+}
+
+TEST(Certify, RefusesARunThatStoppedEarly) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=5000"}).code, ExitCode::budget_spent);
+  const Answer answer = furnas({"certify", runs.path("a")});
+  EXPECT_EQ(answer.code, ExitCode::not_certified) << answer.out;
+  const Json json = Json::parse(content(runs.path("a/certificate.json")));
+  EXPECT_THAT(std::vector<std::string>(json["failed"]), Contains("force balance"));
+  EXPECT_TRUE(fs::exists(runs.path("a/certificate.txt")));
+}
+
+// A pressure that is 1 % higher than that of the case: the stress alone tells.
+TEST(Certify, RefusesAnotherPressure) {
+  Certified packing("0");
+  std::string& text = packing.checkpoint.case_text;
+  const auto at = text.find("\npressure = ");
+  ASSERT_NE(at, std::string::npos) << text;
+  text.replace(at, text.find('\n', at + 1) - at, "\npressure = 1.01e-4");
+  EXPECT_THAT(packing.failed(), ElementsAre("stress"));
+}
+
+TEST(Certify, TakesItsLimitsFromTheCaseOrFromOptions) {
+  Certified packing("0.3");
+  EXPECT_THAT(packing.failed({"--force-imbalance", "1e-9"}), ElementsAre("force balance"));
+  EXPECT_THAT(packing.failed({"--stress-error", "1e-9"}), ElementsAre("stress"));
+  EXPECT_THAT(packing.failed({"--eigenvalues", "3"}), IsEmpty());
+  EXPECT_EQ(packing.json()["eigenvalues"].size(), 3u);
+}
+
+TEST(Certify, SaysWhatItCannotUse) {
+  const Runs runs;
+  write_file(runs.path("a.txt"), "hello\n");
+  fs::create_directory(runs.path("empty"));
+  EXPECT_EQ(furnas({"certify", runs.path("a.txt")}).code, ExitCode::bad_case);
+  EXPECT_EQ(furnas({"certify", runs.path("none")}).code, ExitCode::bad_case);
+  EXPECT_EQ(furnas({"certify", runs.path("empty")}).code, ExitCode::bad_case);
+  Certified packing("0");
+  const Answer answer = packing.certify({"--out", runs.path("none")});
+  EXPECT_EQ(answer.code, ExitCode::bad_case);
+  EXPECT_THAT(answer.err, HasSubstr("none: no folder"));
+}
+
+// N 1000, as in the cases of the tree, and a mixture.
+TEST(NightlyCertify, PassesWhatTheProgramMakes) {
+  const Runs runs("[output]\npicture = \"none\"\n");
+  const std::vector<std::vector<std::string>> cases = {
+      {"contact.friction=0.3"},
+      {"contact.friction=0"},
+      {"contact.friction=0.3", "mixture.size_ratio=3", "mixture.small_fraction=0.3", "mixture.large=60"}};
+  for (std::size_t n = 0; n < cases.size(); ++n) {
+    const std::string name = "run" + std::to_string(n);
+    ASSERT_EQ(runs.run(name, cases[n]).code, ExitCode::done) << name;
+    const Answer answer = furnas({"certify", runs.path(name)});
+    EXPECT_EQ(answer.code, ExitCode::done) << answer.out;
+  }
+}
+
+}  // namespace
+}  // namespace furnas
