@@ -66,6 +66,7 @@ Model model_of(const Case& c, const Packing& packing) {
     throw InputError(
         "compaction.time_step: no collision time, the contact of two small spheres is overdamped");
   model.time_step = *step;
+  model.precision = c.compute.precision == "mixed" ? Precision::mixed : Precision::full;
   model.affine_velocity = c.contact.velocity == "total";
   model.skin = c.compute.skin;
   return model;

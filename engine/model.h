@@ -19,9 +19,14 @@ struct Barostat {
   bool legacy = false;
 };
 
+/// Arithmetic of the forces and of what particles carry. Positions, differences, overlaps and the sums of
+/// stress and energy are double in both.
+enum class Precision { mixed, full };
+
 /// What is simulated: everything that stays the same during a run.
 struct Model {
   AnyLaw law;
+  Precision precision = Precision::full;
   Barostat barostat;
   double time_step = 0.032415;   ///< [time]
   bool affine_velocity = false;  ///< contacts see the cell's flow too, not the peculiar velocities alone

@@ -135,7 +135,8 @@ void SimulationOf<Scene>::build_list(std::int64_t builds) {
   bin_particles<Scene>(model_.skin, state_.step, state_.cell, work_.wear, state_.pairs, state_.particles,
                        work_.draft);
   search_pairs(state_.cell, work_.draft);
-  adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.history, state_.image,
+  state_.memory.clear(0, spins);
+  adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.memory, state_.image,
                     work_.wear);
   state_.pairs.builds = builds + 1;
 }
@@ -144,7 +145,7 @@ template <class Scene>
 void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                        state_.rows, state_.history, state_.stress.contacts, work_.work);
+                        state_.rows, state_.memory, state_.stress.contacts, work_.work);
   gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
                          state_.particles, state_.stress.motion);
   state_.ledger = {};
@@ -175,8 +176,10 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
       ++k;
     require(k < list.first[i + 1], "every contact is in the list");
     state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
+    state_.memory.touching[k] = 1;
     if constexpr (spins)
-      state_.history[k] = {Real(sign * c.history.x), Real(sign * c.history.y), Real(sign * c.history.z)};
+      state_.memory.springs[k].history = {Real(sign * c.history.x), Real(sign * c.history.y),
+                                          Real(sign * c.history.z)};
   }
 }
 
@@ -204,7 +207,7 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
       c.overlap = reach - std::sqrt(square);
       c.force = wide(state_.rows[k].force);
       if constexpr (spins) {
-        c.history = wide(state_.history[k]);
+        c.history = wide(state_.memory.springs[k].history);
         const double friction = std::get<typename Scene::Law>(model_.law).constants.friction;
         const double normal = std::abs(dot(c.force, branch)) / std::sqrt(square);
         const double tangential = std::sqrt(std::max(dot(c.force, c.force) - normal * normal, 0.0));
@@ -251,8 +254,10 @@ std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& p
                                             Schedule schedule) {
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<Simulation> {
-        using S = Scene<std::decay_t<decltype(law)>, double>;
-        return std::make_unique<SimulationOf<S>>(model, packing, threads, schedule);
+        using Law = std::decay_t<decltype(law)>;
+        if (model.precision == Precision::mixed)
+          return std::make_unique<SimulationOf<Scene<Law, float>>>(model, packing, threads, schedule);
+        return std::make_unique<SimulationOf<Scene<Law, double>>>(model, packing, threads, schedule);
       },
       model.law);
 }

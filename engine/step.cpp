@@ -25,9 +25,9 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, s.cell, s.pairs, s.particles, w.wear);
   step.phase_when(w.wear.worn, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.wear, s.pairs, s.particles, w.draft);
   step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
-  step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.history, s.image, w.wear);
+  step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.memory, s.image, w.wear);
 
-  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.history, s.stress.contacts, w.work);
+  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.memory, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
   step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
@@ -44,7 +44,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.loads, "loads");
   step.name(s.pairs, "pairs");
   step.name(s.rows, "rows");
-  step.name(s.history, "history");
+  step.name(s.memory, "memory of contacts");
   step.name(s.image, "image");
   step.name(w.longest_way, "longest way");
   step.name(w.wear, "wear");
@@ -52,10 +52,10 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   return step;
 }
 
-#define FURNAS_INSTANTIATE(Law)                                                      \
-  template StepGraph make_step<Scene<Law, double>>(const Model&, const std::size_t&, \
-                                                   State<Scene<Law, double>>&, StepWork&);
-FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real)                                                                        \
+  template StepGraph make_step<Scene<Law, Real>>(const Model&, const std::size_t&, State<Scene<Law, Real>>&, \
+                                                 StepWork&);
+FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

@@ -64,9 +64,9 @@ struct Case {
 
   /// How the machine is used; none of it changes what is computed, save `precision`.
   struct Compute {
-    std::string precision = "double";  ///< of the contact arithmetic
-    std::optional<int> threads;        ///< empty: as many as the machine offers
-    std::optional<double> skin;        ///< of the neighbour list; empty: chosen by the program [d_s]
+    std::string precision = "mixed";  ///< "mixed", or "double": of forces and velocities
+    std::optional<int> threads;       ///< empty: as many as the machine offers
+    std::optional<double> skin;       ///< of the neighbour list; empty: chosen by the program [d_s]
     friend bool operator==(const Compute&, const Compute&) = default;
   };
 

@@ -132,7 +132,8 @@ std::vector<Key> stop() {
 
 std::vector<Key> compute() {
   return {
-      plain("compute", "precision", "", Choices{"double"}, "arithmetic of the contacts",
+      plain("compute", "precision", "", Choices{"mixed", "double"},
+            "mixed: forces and velocities have single precision, positions, overlaps and sums double",
             [](Case& c) -> Field { return &c.compute.precision; }),
       automatic("compute", "threads", "", from_to(1, 1024),
                 "threads; the result has the same bits for any number of them",

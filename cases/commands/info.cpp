@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <hwy/highway.h>
 #include <tbb/info.h>
 #include <tbb/version.h>
 #include <toml++/impl/version.h>
@@ -15,6 +16,7 @@
 #include "cases/build_info.h"
 #include "cases/commands/command.h"
 #include "cases/scenario.h"
+#include "engine/kernels/kernels.h"
 #include "engine/simulation.h"
 
 namespace furnas {
@@ -39,12 +41,14 @@ ExitCode print_build(Console console) {
   line("build type", build.type);
   line("flags", build.flags);
   line("threads", std::to_string(tbb::info::default_concurrency()));
+  line("instructions", to_string(instruction_set()));
   line("oneTBB", TBB_runtime_version());
   line("Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
   line("VTK", vtkVersion::GetVTKVersion());
   line("toml++", dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH));
   line("JSON", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
   line("CLI11", CLI11_VERSION);
+  line("Highway", dotted(HWY_MAJOR, HWY_MINOR, HWY_PATCH));
   line("fmt", packed(FMT_VERSION));
   line("zstd", ZSTD_versionString());
   line("xxHash", packed(XXH_versionNumber()));

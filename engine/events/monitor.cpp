@@ -39,8 +39,9 @@ std::string Monitor::momentum_fault(Observation& now) {
     const double impulse = m.mean_force * static_cast<double>(m.contacts) *
                            static_cast<double>(here.step - last_->step) * now.simulation().model().time_step;
     const double strain = strain_between(last_->edges, here.edges);
-    const double allowed =
-        1e-9 * std::max(here.flow, last_->flow) + 1e-12 * impulse + 4 * strain * norm(last_->sum);
+    const bool mixed = now.simulation().model().precision == Precision::mixed;
+    const double allowed = (mixed ? 1e-5 : 1e-9) * std::max(here.flow, last_->flow) +
+                           (mixed ? 1e-6 : 1e-12) * impulse + 4 * strain * norm(last_->sum);
     const double change = norm(here.sum - last_->sum);
     if (change > allowed)
       fault = "the momentum of all particles has changed by " + std::to_string(change / allowed) +

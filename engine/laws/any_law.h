@@ -6,13 +6,16 @@
 #include "engine/laws/hooke_history.h"
 #include "engine/laws/hooke_synchronized.h"
 
-/// The list of the laws. A new law is one line here; phases, simulation and the tests that every law
-/// must pass follow from it.
-#define FURNAS_FOR_EACH_LAW(DO) \
-  DO(HookeSynchronized)         \
-  DO(HookeHistory)              \
-  DO(Frictionless<false>)       \
-  DO(Frictionless<true>)
+/// The list of the laws. A new law is one line here; phases, kernels, simulation and the tests that every law
+/// must pass follow from it. DO gets the law and what else is given.
+#define FURNAS_FOR_EACH_LAW(DO, ...)                 \
+  DO(HookeSynchronized __VA_OPT__(, ) __VA_ARGS__)   \
+  DO(HookeHistory __VA_OPT__(, ) __VA_ARGS__)        \
+  DO(Frictionless<false> __VA_OPT__(, ) __VA_ARGS__) \
+  DO(Frictionless<true> __VA_OPT__(, ) __VA_ARGS__)
+
+/// DO(law, real) for each law in each precision.
+#define FURNAS_FOR_EACH_SCENE(DO) FURNAS_FOR_EACH_LAW(DO, double) FURNAS_FOR_EACH_LAW(DO, float)
 
 namespace furnas {
 

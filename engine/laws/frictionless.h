@@ -16,7 +16,7 @@ struct Frictionless {
   HookeConstants constants;
 
   template <class R>
-  Reaction<R> operator()(const Touch<R>& t, Vec3<R>&) const {
+  [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>&) const {
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     const Vec3<R>& velocity = synchronized ? t.now.velocity : t.midway.velocity;
     const R v_n = dot(velocity, n);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "engine/base/select.h"
 #include "engine/base/vec3.h"
+#include "engine/laws/touch.h"
 
 namespace furnas {
 
@@ -15,33 +17,61 @@ struct HookeConstants {
 
 /// F_n = k_n overlap - m_eff gamma_n v_n, v_n the normal velocity (positive when the particles part).
 template <class R>
-R normal_force(const HookeConstants& c, R overlap, R reduced_mass, R normal_velocity) {
+[[gnu::always_inline]] inline R normal_force(const HookeConstants& c, const R& overlap, const R& reduced_mass,
+                                             const R& normal_velocity) {
   const R force = overlap - reduced_mass * R(c.normal_damping) * normal_velocity;
-  return c.attraction || force > R(0) ? force : R(0);
+  return c.attraction ? force : larger(force, R(0));
 }
 
 /// Energy taken out by the damping part of the normal force in a step, with v_n as in normal_force().
 template <class R>
-R normal_loss(R force, R overlap, R normal_velocity, R time_step) {
+[[gnu::always_inline]] inline R normal_loss(const R& force, const R& overlap, const R& normal_velocity,
+                                            const R& time_step) {
   return (overlap - force) * normal_velocity * time_step;
 }
 
-/// How the tangential spring and its damping went through a step.
+/// What happened to a tangential spring within a step, before Coulomb's limit cuts it.
 template <class R>
-struct TangentialStep {
-  Vec3<R> before;   ///< history at its start, carried to its end [d_s]
-  Vec3<R> after;    ///< history at its end [d_s]
-  Vec3<R> way;      ///< slip of the surfaces within it [d_s]
-  Vec3<R> damping;  ///< the force is -(k_t after + damping) [k_n d_s]
-  Vec3<R> slip;     ///< slip velocity with which the damping works [d_s/time]
+struct SpringStep {
+  Vec3<R> before;  ///< history at its start, carried to its end [d_s]
+  Vec3<R> way;     ///< slip of the surfaces within it [d_s]
+  Vec3<R> slip;    ///< slip velocity with which the damping works [d_s/time]
 };
 
-/// Energy that a tangential contact took out of the motion in a step: by its damping, and by its spring, with
-/// the mean of the forces at both ends, as velocity Verlet pairs them, less what the spring has stored.
-template <class R>
-R tangential_loss(const HookeConstants& c, const TangentialStep<R>& s, R time_step) {
-  return time_step * dot(s.damping, s.slip) +
-         R(0.5) * R(c.tangential_stiffness) * dot(s.before + s.after, s.before + s.way - s.after);
+/// The whole reaction, from the motion along the normal `n` and the spring. `history` is the spring at the
+/// end of the step; it is cut so that spring and damping together keep to Coulomb's limit. Where
+/// `slides_free`, a contact beyond the limit has no tangential force and keeps its history. Arms are R -
+/// `shortening`.
+///
+/// The spring's loss is taken with the mean of the forces at both ends, as velocity Verlet pairs them, less
+/// what the spring has stored.
+template <class R, class Truth>
+[[gnu::always_inline]] inline Reaction<R> hooke_reaction(const HookeConstants& c, const Touch<R>& t,
+                                                         const Vec3<R>& n, const R& v_n, const R& shortening,
+                                                         const SpringStep<R>& s, const Truth& slides_free,
+                                                         Vec3<R>& history) {
+  using std::abs;
+  const R f_n = normal_force(c, t.overlap, t.reduced_mass, v_n);
+  const R stiffness(c.tangential_stiffness);
+  const Vec3<R> damping = (t.reduced_mass * R(c.tangential_damping)) * s.slip;
+  Vec3<R> f_t = -(stiffness * history + damping);
+  const R size = norm(f_t);
+  const R limit = R(c.friction) * abs(f_n);
+  const auto slides = size > limit;
+  // Within the limit the factor is exactly 1; `least` only keeps 0/0 out.
+  const R least(1e-37);
+  f_t *= select(slides & slides_free, R(0), limit / larger(larger(size, limit), least));
+  if (c.tangential_stiffness > 0) {
+    const Vec3<R> cut = -(f_t + damping) * R(1 / c.tangential_stiffness);
+    history = select(slides, select(slides_free, history, cut), history);
+  }
+  const R loss = t.time_step * dot(damping, s.slip) +
+                 R(0.5) * stiffness * dot(s.before + history, s.before + s.way - history);
+  const R sliding = select(slides, loss, R(0));
+  return {f_n * n + f_t,
+          t.overlap,
+          shortening,
+          {normal_loss(f_n, t.overlap, v_n, t.time_step), loss - sliding, sliding}};
 }
 
 /// Energy of a tangential spring [k_n d_s^2].

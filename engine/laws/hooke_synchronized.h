@@ -37,67 +37,48 @@ struct HookeSynchronized {
   /// `history` is the tangential displacement xi of i against j [d_s].
   template <class R>
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
-    const R half = R(0.5);
     const Vec3<R> n = t.branch * (R(1) / t.distance);
-    Vec3<R> before = history;
-    Vec3<R> way{};
-    if (t.time_step > R(0)) age(t, n, history, before, way);
-
-    const R shortening = half * t.overlap;
-    const R v_n = dot(t.now.velocity, n);
-    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, v_n);
-    const Vec3<R> slip = slip_velocity(t.now, n, t.radius_i - shortening, t.radius_j - shortening);
-    const Vec3<R> damping = (t.reduced_mass * R(constants.tangential_damping)) * slip;
-    const R stiffness(constants.tangential_stiffness);
-    Vec3<R> f_t = -(stiffness * history + damping);
-    const R size = norm(f_t);
-    const R limit = R(constants.friction) * std::abs(f_n);
-    if (size > limit) {
-      f_t *= limit / size;
-      if (stiffness > R(0)) history = -(f_t + damping) * (R(1) / stiffness);
-    }
-    const R loss =
-        tangential_loss(constants, TangentialStep<R>{before, history, way, damping, slip}, t.time_step);
-    const R sliding = size > limit ? loss : R(0);
-    return {f_n * n + f_t,
-            t.overlap,
-            shortening,
-            {normal_loss(f_n, t.overlap, v_n, t.time_step), loss - sliding, sliding}};
+    const R shortening = R(0.5) * t.overlap;
+    SpringStep<R> spring = aged(t, n, history);
+    spring.slip = slip_velocity(t.now, n, t.radius_i - shortening, t.radius_j - shortening);
+    const auto never = R(1) < R(0);
+    return hooke_reaction(constants, t, n, dot(t.now.velocity, n), shortening, spring, never, history);
   }
 
  private:
   /// Takes the history through the step: carries it to the middle, adds the slip there, carries it to the
-  /// end. `way` is the slip of the whole step, `before` the history without it.
+  /// end. A step of no length leaves it alone.
   template <class R>
-  [[gnu::always_inline]] static void age(const Touch<R>& t, const Vec3<R>& end, Vec3<R>& history,
-                                         Vec3<R>& before, Vec3<R>& way) {
-    const R half = R(0.5);
+  [[gnu::always_inline]] static SpringStep<R> aged(const Touch<R>& t, const Vec3<R>& end, Vec3<R>& history) {
+    const R half(0.5);
     const Vec3<R> step = t.time_step * t.drift;
     const Vec3<R> branch_start = t.branch - step;
-    // Centres that passed each other within the step: nothing of the old contact plane is left.
-    if (dot(branch_start, t.branch) <= R(0)) {
-      history = before = {};
-      return;
-    }
     const Vec3<R> branch_middle = t.branch - half * step;
     const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);
-    const Vec3<R> start = branch_start * (R(1) / distance_start);
-    const Vec3<R> middle = branch_middle * (R(1) / distance_middle);
+    // Centres that passed each other within the step: nothing of the old contact plane is left.
+    const auto passed = dot(branch_start, t.branch) <= R(0);
+    const Vec3<R> start = branch_start * (R(1) / select(passed, R(1), distance_start));
+    const Vec3<R> middle = branch_middle * (R(1) / select(passed, R(1), distance_middle));
 
     // Spheres that met within the step have slipped on each other only since then.
     const R reach = t.radius_i + t.radius_j;
-    const R share = distance_start > reach ? t.overlap / (distance_start - t.distance) : R(1);
+    const auto met = distance_start > reach;
+    const R share = select(met, t.overlap / select(met, distance_start - t.distance, R(1)), R(1));
 
     const R shortening = half * (reach - distance_middle);
     const Vec3<R> slip = slip_velocity(t.midway, middle, t.radius_i - shortening, t.radius_j - shortening);
     const R twist = (half * t.time_step) * dot(t.midway.spin_i + t.midway.spin_j, middle);
     const Vec3<R> increment = (share * t.time_step) * slip;
-    const Vec3<R> xi =
-        transport(turn(transport(history, start, middle), middle, twist) + increment, middle, end);
-    history = xi - dot(xi, end) * end;  // rounding alone: xi is across the normal already
-    before = history - increment;       // but for the turn of the normal within half a step
-    way = t.time_step * slip;
+    const Vec3<R> at_middle =
+        turn(select(passed, Vec3<R>{}, transport(history, start, middle)), middle, twist);
+    const Vec3<R> xi = transport(at_middle + increment, middle, end);
+    const auto still = passed | (t.time_step <= R(0));
+    // But for rounding xi is across the normal already.
+    history = select(still, select(passed, Vec3<R>{}, history), xi - dot(xi, end) * end);
+    // But for the turn of the normal within half a step.
+    const Vec3<R> before = select(still, history, history - increment);
+    return {before, select(still, Vec3<R>{}, t.time_step * slip), {}};
   }
 };
 

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Applies the law to each pair of the list that overlaps: one row a pair, the history carried on, the
+/// Applies the law to each pair of the list that overlaps: one row a pair, the memory carried on, the
 /// contacts' part of the stress times the volume, and their work. Pairs that do not overlap get a row of
 /// zeros and lose their history. `time_step` 0: forces as they are, without a step that led there.
 template <class Scene>
@@ -15,7 +15,6 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                     const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                    std::vector<Vec3<typename Scene::Real>>& history, Eigen::Matrix3d& stress,
-                    ContactWork& work);
+                    Memory<typename Scene::Real>& memory, Eigen::Matrix3d& stress, ContactWork& work);
 
 }  // namespace furnas

@@ -1,8 +1,10 @@
 #include "engine/phases/integrate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/parallel.h"
+#include "engine/kernels/kernels.h"
 
 namespace furnas {
 namespace {
@@ -12,48 +14,12 @@ constexpr std::size_t chunk = 256;
 /// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
 /// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The shear is exact to its
 /// second order, where it ends, so that a step taken back undoes it; LAMMPS ends it at the first.
-class CellDrag {
- public:
-  CellDrag(const Barostat& bath, const Triangle& rate, std::size_t count, double time_step)
-      : half_(0.5 * time_step), rate_(rate) {
-    if (!bath.legacy) rate_.xz -= 0.5 * half_ * rate.xy * rate.yz;
-    const double common = rate.trace() / (3 * static_cast<double>(count));
-    factor_ = {std::exp(-0.5 * half_ * (rate.xx + common)), std::exp(-0.5 * half_ * (rate.yy + common)),
-               std::exp(-0.5 * half_ * (rate.zz + common))};
-  }
-
-  template <class R>
-  Vec3<R> operator()(const Vec3<R>& velocity) const {
-    Vec3<double> v{velocity.x * factor_.x, velocity.y * factor_.y, velocity.z * factor_.z};
-    v.x -= half_ * (v.y * rate_.xy + v.z * rate_.xz);
-    v.y -= half_ * (v.z * rate_.yz);
-    return {R(v.x * factor_.x), R(v.y * factor_.y), R(v.z * factor_.z)};
-  }
-
- private:
-  double half_;
-  Triangle rate_;
-  Vec3<double> factor_;
-};
-
-template <class R, bool spins>
-void half_kick(Particle<R, spins>& p, const Load<R, spins>& load, R half_step) {
-  p.velocity += (half_step * p.inverse_mass) * load.force;
-  if constexpr (spins) p.spin += (half_step * p.inverse_inertia) * load.torque;
-}
-
-template <class R, bool spins>
-Load<R, spins> sum_of_rows(const PairList& pairs, const std::vector<Row<R, spins>>& rows, std::size_t i,
-                           R radius) {
-  Load<R, spins> sum{};
-  const auto add = [&](const Row<R, spins>& row, bool owner) {
-    sum.force += owner ? row.force : -row.force;
-    if constexpr (spins) sum.torque -= (radius - row.shortening) * row.couple;
-  };
-  for (std::uint64_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) add(rows[k], true);
-  for (std::uint64_t k = pairs.incoming_first[i]; k < pairs.incoming_first[i + 1]; ++k)
-    add(rows[pairs.incoming[k]], false);
-  return sum;
+CellDragStep cell_drag(const Barostat& bath, const Triangle& rate, std::size_t count, double time_step) {
+  const double half = 0.5 * time_step;
+  const double common = rate.trace() / (3 * static_cast<double>(count));
+  const double xz = bath.legacy ? rate.xz : rate.xz - 0.5 * half * rate.xy * rate.yz;
+  const auto factor = [&](double e) { return std::exp(-0.5 * half * (e + common)); };
+  return {{factor(rate.xx), factor(rate.yy), factor(rate.zz)}, half * rate.yz, half * xz, half * rate.xy};
 }
 
 }  // namespace
@@ -63,27 +29,16 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     LongestWay& longest_way) {
-  using Real = typename Scene::Real;
-  const CellDrag drag(bath, cell.rate, particles.size(), time_step);
-  const Triangle to_fraction_step = inverse(cell.edges);
+  const DriftLoop<Scene> loop{time_step,           cell_drag(bath, cell.rate, particles.size(), time_step),
+                              inverse(cell.edges), pairs.edges,
+                              loads.data(),        particles.data()};
+  const auto kernel = kernels<Scene>().drift;
   longest_way.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
     std::vector<double> longest((group.last - group.first + chunk - 1) / chunk);
     for_chunks(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end, std::size_t piece) {
-      double top = 0;
-      for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
-        auto& p = particles[i];
-        p.velocity = drag(p.velocity);
-        half_kick(p, loads[i], Real(0.5 * time_step));
-        const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-        const Vec3<double> s = to_fraction_step * (v * time_step);
-        const Fraction moved = to_fraction(s);
-        p.position = {p.position.x + moved.x, p.position.y + moved.y, p.position.z + moved.z};
-        const Vec3<double> way = pairs.edges * s;
-        top = std::max(top, dot(way, way));
-      }
-      longest[piece] = top;
+      longest[piece] = kernel(loop, group.first + begin, group.first + end);
     });
     for (double top : longest) longest_way[c] = std::max(longest_way[c], top);
   }
@@ -95,40 +50,29 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion) {
-  using Real = typename Scene::Real;
-  struct Motion {
-    double xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
-    void operator+=(const Motion& b) {
-      xx += b.xx, yy += b.yy, zz += b.zz, yz += b.yz, xz += b.xz, xy += b.xy;
-    }
-  };
-  const CellDrag drag(bath, cell.rate, particles.size(), time_step);
-  const auto sum = ordered_sum<Motion>(particles.size(), chunk, [&](std::size_t begin, std::size_t end) {
-    Motion part;
-    for (std::size_t i = begin; i < end; ++i) {
-      auto& p = particles[i];
-      loads[i] = sum_of_rows(pairs, rows, i, p.radius);
-      half_kick(p, loads[i], Real(0.5 * time_step));
-      p.velocity = drag(p.velocity);
-      const Vec3<double> v{p.velocity.x, p.velocity.y, p.velocity.z};
-      const double m = 1 / static_cast<double>(p.inverse_mass);
-      part += {m * v.x * v.x, m * v.y * v.y, m * v.z * v.z, m * v.y * v.z, m * v.x * v.z, m * v.x * v.y};
-    }
-    return part;
-  });
+  const GatherLoop<Scene> loop{time_step,
+                               cell_drag(bath, cell.rate, particles.size(), time_step),
+                               pairs.first.data(),
+                               pairs.incoming_first.data(),
+                               pairs.incoming.data(),
+                               rows.data(),
+                               loads.data(),
+                               particles.data()};
+  const auto kernel = kernels<Scene>().gather;
+  const auto sum = ordered_sum<MotionSum>(
+      particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law)                                                                              \
-  template void kick_and_drift<Scene<Law, double>>(const Barostat&, const double&, const Cell&,              \
-                                                   const PairList&,                                          \
-                                                   const std::vector<Load<double, Law::spins>>&,             \
-                                                   std::vector<Particle<double, Law::spins>>&, LongestWay&); \
-  template void gather_and_kick<Scene<Law, double>>(                                                         \
-      const Barostat&, const double&, const Cell&, const PairList&,                                          \
-      const std::vector<Row<double, Law::spins>>&, std::vector<Load<double, Law::spins>>&,                   \
-      std::vector<Particle<double, Law::spins>>&, Eigen::Matrix3d&);
-FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real)                                                                     \
+  template void kick_and_drift<Scene<Law, Real>>(                                                         \
+      const Barostat&, const double&, const Cell&, const PairList&,                                       \
+      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&); \
+  template void gather_and_kick<Scene<Law, Real>>(                                                        \
+      const Barostat&, const double&, const Cell&, const PairList&,                                       \
+      const std::vector<Row<Real, Law::spins>>&, std::vector<Load<Real, Law::spins>>&,                    \
+      std::vector<Particle<Real, Law::spins>>&, Eigen::Matrix3d&);
+FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

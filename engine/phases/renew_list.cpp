@@ -62,10 +62,10 @@ void search_pairs(const Cell& cell, ListDraft& draft) {
 template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                 std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                std::vector<Vec3<typename Scene::Real>>& history, std::vector<Image>& image, Wear& wear) {
+                Memory<typename Scene::Real>& memory, std::vector<Image>& image, Wear& wear) {
   for (std::size_t i = 0; i < pairs.reference.size(); ++i)
     image[i] = crossed(image[i], pairs.reference[i], draft.positions[i]);
-  if constexpr (Scene::spins) history = merged_history(pairs, history, draft.fresh, draft.positions);
+  merge_memory(pairs, memory, draft.fresh, draft.positions, Scene::spins);
   draft.fresh.step = step;
   draft.fresh.builds = pairs.builds + 1;
   std::swap(pairs, draft.fresh);
@@ -74,16 +74,16 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
   wear.suspect = wear.worn = false;
 }
 
-#define FURNAS_INSTANTIATE(Law)                                                                            \
-  template void measure_wear<Scene<Law, double>>(const Cell&, const PairList&,                             \
-                                                 const std::vector<Particle<double, Law::spins>>&, Wear&); \
-  template void bin_particles<Scene<Law, double>>(                                                         \
-      const std::optional<double>&, const std::int64_t&, const Cell&, const Wear&, const PairList&,        \
-      const std::vector<Particle<double, Law::spins>>&, ListDraft&);                                       \
-  template void adopt_list<Scene<Law, double>>(const std::int64_t&, ListDraft&, PairList&,                 \
-                                               std::vector<Row<double, Law::spins>>&,                      \
-                                               std::vector<Vec3<double>>&, std::vector<Image>&, Wear&);
-FURNAS_FOR_EACH_LAW(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real)                                                                        \
+  template void measure_wear<Scene<Law, Real>>(const Cell&, const PairList&,                                 \
+                                               const std::vector<Particle<Real, Law::spins>>&, Wear&);       \
+  template void bin_particles<Scene<Law, Real>>(const std::optional<double>&, const std::int64_t&,           \
+                                                const Cell&, const Wear&, const PairList&,                   \
+                                                const std::vector<Particle<Real, Law::spins>>&, ListDraft&); \
+  template void adopt_list<Scene<Law, Real>>(const std::int64_t&, ListDraft&, PairList&,                     \
+                                             std::vector<Row<Real, Law::spins>>&, Memory<Real>&,             \
+                                             std::vector<Image>&, Wear&);
+FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

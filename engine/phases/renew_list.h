@@ -36,10 +36,10 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
 /// Lists the pairs.
 void search_pairs(const Cell& cell, ListDraft& draft);
 
-/// Puts the new list in the place of the old one; the history and the count of crossed cells survive.
+/// Puts the new list in the place of the old one; the memory and the count of crossed cells survive.
 template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                 std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                std::vector<Vec3<typename Scene::Real>>& history, std::vector<Image>& image, Wear& wear);
+                Memory<typename Scene::Real>& memory, std::vector<Image>& image, Wear& wear);
 
 }  // namespace furnas

@@ -1,6 +1,7 @@
 #include "engine/search/merge.h"
 
 #include <cmath>
+#include <utility>
 
 #include "engine/base/parallel.h"
 
@@ -24,24 +25,33 @@ std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& i
   return {component(image[0], i.x - j.x), component(image[1], i.y - j.y), component(image[2], i.z - j.z)};
 }
 
-std::vector<Vec3<double>> merged_history(const PairList& old, const std::vector<Vec3<double>>& old_history,
-                                         const PairList& fresh, const std::vector<Fraction>& positions) {
-  std::vector<Vec3<double>> history(fresh.rows());
-  if (old.first.empty()) return history;
-  for_chunks(positions.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::uint64_t k = fresh.first[i];
-      for (std::uint64_t o = old.first[i]; o < old.first[i + 1]; ++o) {
-        if (old_history[o] == Vec3<double>{}) continue;
-        const std::uint32_t j = old.partner[o];
-        const auto image = image_of_row(old, o, positions[i], positions[j]);
-        while (k < fresh.first[i + 1] && fresh.partner[k] < j) ++k;
-        for (std::uint64_t n = k; n < fresh.first[i + 1] && fresh.partner[n] == j; ++n)
-          if (image_of_row(fresh, n, positions[i], positions[j]) == image) history[n] = old_history[o];
-      }
-    }
-  });
-  return history;
+template <class Real>
+void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
+                  const std::vector<Fraction>& positions, bool friction) {
+  const Memory<Real> before = std::move(memory);
+  memory.clear(fresh.rows(), friction);
+  for_chunks(old.first.empty() ? 0 : positions.size(), 1024,
+             [&](std::size_t begin, std::size_t end, std::size_t) {
+               for (std::size_t i = begin; i < end; ++i) {
+                 std::uint64_t k = fresh.first[i];
+                 for (std::uint64_t o = old.first[i]; o < old.first[i + 1]; ++o) {
+                   if (before.touching[o] == 0) continue;
+                   const std::uint32_t j = old.partner[o];
+                   const auto image = image_of_row(old, o, positions[i], positions[j]);
+                   while (k < fresh.first[i + 1] && fresh.partner[k] < j) ++k;
+                   for (std::uint64_t n = k; n < fresh.first[i + 1] && fresh.partner[n] == j; ++n)
+                     if (image_of_row(fresh, n, positions[i], positions[j]) == image) {
+                       memory.touching[n] = 1;
+                       if (friction) memory.springs[n] = before.springs[o];
+                     }
+                 }
+               }
+             });
 }
+
+template void merge_memory<double>(const PairList&, Memory<double>&, const PairList&,
+                                   const std::vector<Fraction>&, bool);
+template void merge_memory<float>(const PairList&, Memory<float>&, const PairList&,
+                                  const std::vector<Fraction>&, bool);
 
 }  // namespace furnas

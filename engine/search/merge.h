@@ -4,6 +4,7 @@
 
 #include "engine/base/vec3.h"
 #include "engine/state/pair_list.h"
+#include "engine/state/state.h"
 
 namespace furnas {
 
@@ -15,9 +16,10 @@ std::array<std::int8_t, 3> image_of_row(const PairList& list, std::uint64_t k, c
 std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& image, const Fraction& i,
                                              const Fraction& j);
 
-/// The tangential history of the rows of `fresh`, taken from the rows of `old` that mean the same image
-/// of the same pair; zero for new pairs. Both lists are about particles at `positions`.
-std::vector<Vec3<double>> merged_history(const PairList& old, const std::vector<Vec3<double>>& old_history,
-                                         const PairList& fresh, const std::vector<Fraction>& positions);
+/// Carries the memory of the pairs of `old` over to those of `fresh` that mean the same image of the same
+/// pair; that of other pairs is lost, and new pairs have none. Both lists are about particles at `positions`.
+template <class Real>
+void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
+                  const std::vector<Fraction>& positions, bool friction);
 
 }  // namespace furnas

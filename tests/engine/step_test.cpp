@@ -60,7 +60,7 @@ TEST(Step, IsDrawnWithTheNamesOfWhatItTouches) {
   for (const std::string& title : simulation->graph().titles())
     EXPECT_THAT(dot.str(), HasSubstr("<b>" + title + "</b>"));
   for (const char* name :
-       {"cell", "particles", "loads", "pairs", "rows", "history", "image", "stress", "wear"})
+       {"cell", "particles", "loads", "pairs", "rows", "memory of contacts", "image", "stress", "wear"})
     EXPECT_THAT(dot.str(), HasSubstr(name));
 }
 

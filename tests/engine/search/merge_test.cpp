@@ -27,7 +27,7 @@ TouchName name_after(const Packing& now, std::uint32_t i, std::uint32_t j, const
 }
 
 // Old rows and new ones, each image of a pair apart, across faces and with another skin.
-TEST(MergedHistory, StaysWithThePairAndItsImage) {
+TEST(MergeMemory, StaysWithThePairAndItsImage) {
   EXPECT_TRUE(test::holds(2000, [] {
     Dice dice(test::any_seed());
     test::RandomPacking wanted;
@@ -37,9 +37,10 @@ TEST(MergedHistory, StaysWithThePairAndItsImage) {
     wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 4);
     const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
     const PairList old = test::listed(then, {dice.between(0, 0.5), 0});
-    std::vector<Vec3<double>> old_history(old.rows());
-    for (auto& xi : old_history)
-      if (dice.chance(0.7)) xi = dice.vector(1);
+    Memory<double> memory;
+    memory.clear(old.rows(), true);
+    for (std::size_t k = 0; k < old.rows(); ++k)
+      if (dice.chance(0.7)) memory.touching[k] = 1, memory.springs[k].history = dice.vector(1);
 
     Packing now = then;
     now.cell.edges = product({1.02, 0.98, 1, 0.01, 0, -0.02}, then.cell.edges);
@@ -51,19 +52,21 @@ TEST(MergedHistory, StaysWithThePairAndItsImage) {
     }
 
     std::map<TouchName, Vec3<double>> expected;
+    std::set<TouchName> names;
     for (std::uint32_t i = 0; i < then.size(); ++i)
       for (std::uint64_t k = old.first[i]; k < old.first[i + 1]; ++k) {
         const std::uint32_t j = old.partner[k];
         const Vec3<double> d = old.quarter.empty()
                                    ? nearest_difference(then.fraction[i], then.fraction[j])
                                    : row_difference(then.fraction[i], then.fraction[j], old.quarter[k]);
-        expected[name_after(now, i, j, d, move[i], move[j])] = old_history[k];
+        const TouchName name = name_after(now, i, j, d, move[i], move[j]);
+        RC_ASSERT(names.insert(name).second);
+        if (memory.touching[k] != 0) expected[name] = memory.springs[k].history;
       }
-    RC_ASSERT(expected.size() == old.rows());
 
     const PairList fresh = test::listed(now, {dice.between(0, 0.5), 0});
-    const auto history = merged_history(old, old_history, fresh, now.fraction);
-    RC_ASSERT(history.size() == fresh.rows());
+    merge_memory(old, memory, fresh, now.fraction, true);
+    RC_ASSERT(memory.springs.size() == fresh.rows() && memory.touching.size() == fresh.rows());
     for (std::uint32_t i = 0; i < now.size(); ++i)
       for (std::uint64_t k = fresh.first[i]; k < fresh.first[i + 1]; ++k) {
         const std::uint32_t j = fresh.partner[k];
@@ -73,19 +76,24 @@ TEST(MergedHistory, StaysWithThePairAndItsImage) {
         c.image = image_of_row(fresh, k, now.fraction[i], now.fraction[j]);
         const auto found = expected.find(test::name_of(now, c));
         const Vec3<double> wanted_history = found == expected.end() ? Vec3<double>{} : found->second;
-        RC_ASSERT(test::same_bits(history[k], wanted_history));
+        RC_ASSERT(test::same_bits(memory.springs[k].history, wanted_history));
+        RC_ASSERT((memory.touching[k] != 0) == (found != expected.end()));
       }
   }));
 }
 
-TEST(MergedHistory, IsZeroWhenThereWasNoList) {
+TEST(MergeMemory, IsEmptyWhenThereWasNoList) {
   Packing p;
   p.resize(2);
   p.radius = {0.5, 0.5};
   p.cell.edges = {5, 5, 5};
   p.fraction[1] = to_fraction({0.1, 0, 0});
   const PairList fresh = test::listed(p, {0, 0});
-  EXPECT_EQ(merged_history({}, {}, fresh, p.fraction), std::vector<Vec3<double>>(1));
+  Memory<double> memory;
+  merge_memory({}, memory, fresh, p.fraction, true);
+  ASSERT_EQ(memory.springs.size(), 1u);
+  EXPECT_EQ(memory.springs[0].history, Vec3<double>{});
+  EXPECT_EQ(memory.touching, std::vector<std::uint8_t>(1));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Eigen::Matrix3d dense(const Triangle& t) {
 std::vector<double> measured(const Packing& p, const PairList& list) {
   std::vector<Particle<double, false>> particles;
   for (std::size_t k = 0; k < p.size(); ++k)
-    particles.push_back({p.fraction[k], p.velocity[k], p.radius[k], p.mass[k]});
+    particles.push_back({p.fraction[k], p.radius[k], p.velocity[k], 1 / p.mass[k]});
   Wear wear;
   wear.travelled.resize(list.classes.size());
   measure_wear<Smooth>(p.cell, list, particles, wear);

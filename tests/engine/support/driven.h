@@ -45,8 +45,11 @@ class Driven {
             "every pair is listed, once");
     state_.loads.resize(start.size());
     state_.rows.resize(state_.pairs.rows());
-    state_.history.resize(state_.pairs.rows());
-    for (const Contact& c : start.contacts) state_.history[row(c.i, c.j)] = c.history;
+    state_.memory.clear(state_.pairs.rows(), Law::spins);
+    for (const Contact& c : start.contacts) {
+      state_.memory.touching[row(c.i, c.j)] = 1;
+      if constexpr (Law::spins) state_.memory.springs[row(c.i, c.j)].history = c.history;
+    }
     gather(0);
   }
 
@@ -70,14 +73,16 @@ class Driven {
   /// Row of particle i and an earlier one.
   std::size_t row(std::size_t i, std::size_t j) const { return state_.pairs.first[i] + j; }
   Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows[row(i, j)].force; }
-  Vec3<double> history(std::size_t i, std::size_t j) const { return state_.history[row(i, j)]; }
+  Vec3<double> history(std::size_t i, std::size_t j) const {
+    return state_.memory.springs[row(i, j)].history;
+  }
 
  private:
   /// Forces at the end of a step, and its second half kick: the engine's with the forces of the contacts,
   /// then this one's own.
   void gather(double time_step) {
     contact_forces<S>(model_, time_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                      state_.rows, state_.history, state_.stress.contacts, work_);
+                      state_.rows, state_.memory, state_.stress.contacts, work_);
     gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows, state_.loads,
                        state_.particles, state_.stress.motion);
     for (std::size_t k = 0; k < state_.particles.size(); ++k) {

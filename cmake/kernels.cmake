@@ -1,0 +1,18 @@
+# The kernels, once for each instruction set. They are optimized in every build: without optimization functions of
+# the standard library would be compiled for the wrong processor and could take the place of the ordinary ones.
+function(furnas_kernels set)
+  add_library(furnas_kernels_${set} OBJECT ${PROJECT_SOURCE_DIR}/engine/kernels/all_kernels.cpp)
+  target_link_libraries(furnas_kernels_${set} PRIVATE furnas_flags)
+  target_compile_definitions(furnas_kernels_${set} PRIVATE FURNAS_KERNELS=kernels_for_${set})
+  target_compile_options(furnas_kernels_${set} PRIVATE -O2 -fno-tree-vectorize ${ARGN}
+                         # GCC 12 warns of its own AVX-512 intrinsics.
+                         -Wno-maybe-uninitialized)
+  target_sources(furnas_engine PRIVATE $<TARGET_OBJECTS:furnas_kernels_${set}>)
+endfunction()
+
+furnas_kernels(scalar)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  furnas_kernels(avx2 -march=x86-64-v3 -maes -mpclmul)
+  furnas_kernels(avx512 -march=skylake-avx512)
+endif()
+target_link_libraries(furnas_engine PRIVATE hwy::hwy)

@@ -1,0 +1,236 @@
+#pragma once
+
+#include "engine/kernels/touching.h"
+
+// The law is applied to sixteen contacts at a time, those that touch and no others, so lanes are never idle
+// where most candidates do not touch. Which contacts stand together depends on the contacts alone, not on the
+// skin; and since sums are kept for sixteen places whatever the width of the processor's lanes, not on the
+// instruction set either.
+namespace furnas::HWY_NAMESPACE {
+
+constexpr std::size_t batch = 16;  ///< contacts computed together
+
+/// Sums at some places of a batch.
+template <class R>
+struct PartSum {
+  Vec3<R> x, y, z;          ///< branch (x) force
+  Vec3<R> diagonal, shear;  ///< of ContactWork::push: xx yy zz, yz xz xy
+  Vec3<R> lost;             ///< normal damping, tangential damping, sliding
+};
+
+template <class S>
+class ContactKernel {
+ public:
+  explicit ContactKernel(const ContactLoop<S>& loop) : loop_(loop), rows_(loop) {}
+
+  ContactSum operator()(std::size_t begin, std::size_t end) {
+    std::size_t i = begin;
+    const std::uint64_t last = loop_.first[end];
+    for (std::uint64_t row = loop_.first[begin]; row < last; row += block) {
+      rows_.look(i, row, last - row < block ? last : row + block, found_,
+                 [this](std::size_t a, std::size_t b, std::uint64_t k, const Vec3<double>& branch) {
+                   open(a, b, k, branch);
+                 });
+      std::size_t done = 0;
+      for (; done + batch <= found_.count; done += batch) apply<true>(done, batch);
+      if (done > 0) found_.drop_until(done);
+    }
+    if (found_.count > 0) {
+      for (std::size_t n = found_.count; n < batch; ++n) found_.copy(found_.count - 1, n);
+      apply<false>(0, found_.count);
+    }
+    return total();
+  }
+
+ private:
+  using Real = typename S::Real;
+  using R = Lanes<Real>;
+  static constexpr std::size_t lanes = R::count;
+  static constexpr std::size_t parts = batch / lanes;
+  static_assert(batch % lanes == 0);
+
+  /// A vector and a number of each of the two particles.
+  struct Pair {
+    Vec3<R> i, j;
+    R i_last, j_last;
+  };
+
+  /// The groups of four that `group` points out in the records of both particles of each contact.
+  template <class Record, class Where>
+  HWY_INLINE Pair take(const Record* records, std::size_t at, Where&& group) const {
+    const Group<Real> i =
+        load_groups<Real>([&](std::size_t l) { return group(record<8>(records, found_.i[at + l])); });
+    const Group<Real> j =
+        load_groups<Real>([&](std::size_t l) { return group(record<8>(records, found_.j[at + l])); });
+    return {{i.a, i.b, i.c}, {j.a, j.b, j.c}, i.d, j.d};
+  }
+
+  /// Writes a vector and a number to each of the `valid` rows.
+  template <class Where>
+  HWY_INLINE void put(const Vec3<R>& v, const R& last, std::size_t at, std::size_t valid,
+                      Where&& group) const {
+    store_groups<Real>({v.x, v.y, v.z, last}, valid,
+                       [&](std::size_t l) { return group(found_.row[at + l]); });
+  }
+
+  static HWY_INLINE Vec3<R> flow(const Triangle& e, const Vec3<R>& b) {
+    return {R(e.xx) * b.x + R(e.xy) * b.y + R(e.xz) * b.z, R(e.yy) * b.y + R(e.yz) * b.z, R(e.zz) * b.z};
+  }
+
+  /// Rows, histories and sums of a batch of which `valid` contacts count.
+  template <bool whole>
+  [[gnu::flatten]] void apply(std::size_t from, std::size_t valid) {
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t at = from + part * lanes;
+      const std::size_t done = part * lanes;
+      const std::size_t here = whole || valid >= done + lanes ? lanes : valid > done ? valid - done : 0;
+      apply_part<whole>(at, here, sums_[part]);
+    }
+  }
+
+  template <bool whole>
+  HWY_INLINE void apply_part(std::size_t at, std::size_t valid, PartSum<R>& sum) {
+    Touch<R> touch;
+    touch.branch = {R::from(found_.x + at), R::from(found_.y + at), R::from(found_.z + at)};
+    touch.distance = R::from(found_.distance + at);
+    touch.overlap = R::from(found_.overlap + at);
+    touch.time_step = R(loop_.time_step);
+    see(at, touch);
+
+    Spring<Real>* const springs = loop_.springs;
+    const auto history_at = [springs](std::uint64_t row) { return &record<4>(springs, row).history.x; };
+    Vec3<R> history{};
+    if constexpr (S::spins) {
+      const Group<Real> g = load_groups<Real>([&](std::size_t l) { return history_at(found_.row[at + l]); });
+      history = {g.a, g.b, g.c};
+    }
+    const Reaction<R> reaction = (*loop_.law)(touch, history);
+    const Vec3<R> normal = touch.branch * (R(1) / touch.distance);
+
+    auto* const rows = loop_.rows;
+    const auto force_at = [rows](std::uint64_t row) { return &record<4>(rows, row).force.x; };
+    if constexpr (S::spins) {
+      put(reaction.force, reaction.shortening - touch.radius_i, at, valid, force_at);
+      put(cross(normal, reaction.force), reaction.shortening - touch.radius_j, at, valid,
+          [rows](std::uint64_t row) { return &record<4>(rows, row).couple.x; });
+      put(history, R(0), at, valid, history_at);
+    } else {
+      put(reaction.force, R(0), at, valid, force_at);
+    }
+    add<whole>(reaction, normal, touch.branch, valid, sum);
+  }
+
+  /// How the particles move against each other.
+  HWY_INLINE void see(std::size_t at, Touch<R>& touch) const {
+    const Pair v = take(loop_.particles, at, [](const auto& p) { return &p.velocity.x; });
+    touch.midway.velocity = v.i - v.j;
+    touch.drift = touch.midway.velocity + flow(loop_.rate, touch.branch);
+    if (loop_.affine) touch.midway.velocity = touch.drift;
+    touch.reduced_mass = R(1) / (v.i_last + v.j_last);
+
+    Real radius[2][lanes];
+    for (std::size_t l = 0; l < lanes; ++l) {
+      radius[0][l] = record<8>(loop_.particles, found_.i[at + l]).radius;
+      radius[1][l] = record<8>(loop_.particles, found_.j[at + l]).radius;
+    }
+    touch.radius_i = R::from(radius[0]);
+    touch.radius_j = R::from(radius[1]);
+
+    Pair w;
+    if constexpr (S::spins) {
+      w = take(loop_.particles, at, [](const auto& p) { return &p.spin.x; });
+      touch.midway.spin_i = w.i;
+      touch.midway.spin_j = w.j;
+    }
+    if constexpr (S::Law::synchronized) {
+      // The motion at the end of the step, with the forces of its start: second order in the step.
+      const R half(0.5 * loop_.time_step);
+      const Pair f = take(loop_.loads, at, [](const auto& load) { return &load.force.x; });
+      touch.now.velocity = touch.midway.velocity + half * (v.i_last * f.i - v.j_last * f.j);
+      if constexpr (S::spins) {
+        const Pair t = take(loop_.loads, at, [](const auto& load) { return &load.torque.x; });
+        touch.now.spin_i = w.i + (half * w.i_last) * t.i;
+        touch.now.spin_j = w.j + (half * w.j_last) * t.j;
+      }
+    }
+  }
+
+  /// Adds to the sums. The flow of the cell works against damping and friction only if they see it.
+  template <bool whole>
+  HWY_INLINE void add(const Reaction<R>& r, const Vec3<R>& normal, const Vec3<R>& b, std::size_t valid,
+                      PartSum<R>& sum) const {
+    const Vec3<R> push = loop_.affine ? r.force : r.normal_spring * normal;
+    PartSum<R> more{b.x * r.force,
+                    b.y * r.force,
+                    b.z * r.force,
+                    {push.x * b.x, push.y * b.y, push.z * b.z},
+                    {push.y * b.z, push.x * b.z, push.x * b.y},
+                    {r.losses.normal_damping, r.losses.tangential_damping, r.losses.sliding}};
+    if constexpr (!whole) {
+      Real counts[lanes];
+      for (std::size_t l = 0; l < lanes; ++l) counts[l] = l < valid ? Real(1) : Real(0);
+      const auto counted = R::from(counts) > R(0);
+      const auto only = [&](Vec3<R>& v) { v = select(counted, v, Vec3<R>{}); };
+      only(more.x), only(more.y), only(more.z), only(more.diagonal), only(more.shear), only(more.lost);
+    }
+    sum.x += more.x, sum.y += more.y, sum.z += more.z;
+    sum.diagonal += more.diagonal, sum.shear += more.shear, sum.lost += more.lost;
+  }
+
+  /// A contact that opens leaves the energy of its tangential spring behind; over half of the step the spring
+  /// has still worked.
+  void open(std::size_t a, std::size_t b, std::uint64_t row, const Vec3<double>& branch) {
+    loop_.rows[row] = {};
+    if constexpr (S::spins) {
+      Vec3<Real>& xi = loop_.springs[row].history;
+      const auto& i = loop_.particles[a];
+      const auto& j = loop_.particles[b];
+      const auto wide = [](const Vec3<Real>& v) { return Vec3<double>{v.x, v.y, v.z}; };
+      const Vec3<double> normal = branch * (1 / std::sqrt(dot(branch, branch)));
+      RelativeMotion<double> motion{wide(i.velocity) - wide(j.velocity), wide(i.spin), wide(j.spin)};
+      if (loop_.affine) {
+        const Triangle& e = loop_.rate;
+        motion.velocity += Vec3<double>{e.xx * branch.x + e.xy * branch.y + e.xz * branch.z,
+                                        e.yy * branch.y + e.yz * branch.z, e.zz * branch.z};
+      }
+      const Vec3<double> slip = slip_velocity(motion, normal, double(i.radius), double(j.radius));
+      const HookeConstants& c = loop_.law->constants;
+      opening_ += tangential_energy(c, wide(xi)) +
+                  0.5 * loop_.time_step * c.tangential_stiffness * dot(wide(xi), slip);
+      xi = {};
+    }
+  }
+
+  /// The sum over the places of a batch, in their order.
+  static Vec3<double> over_places(const PartSum<R>* sums, Vec3<R> PartSum<R>::*what) {
+    Vec3<double> total{};
+    for (std::size_t part = 0; part < parts; ++part) {
+      const Vec3<R>& v = sums[part].*what;
+      Real x[lanes], y[lanes], z[lanes];
+      v.x.to(x), v.y.to(y), v.z.to(z);
+      for (std::size_t l = 0; l < lanes; ++l) total += {double(x[l]), double(y[l]), double(z[l])};
+    }
+    return total;
+  }
+
+  ContactSum total() const {
+    ContactSum out;
+    out.x = over_places(sums_, &PartSum<R>::x);
+    out.y = over_places(sums_, &PartSum<R>::y);
+    out.z = over_places(sums_, &PartSum<R>::z);
+    const Vec3<double> diagonal = over_places(sums_, &PartSum<R>::diagonal);
+    const Vec3<double> shear = over_places(sums_, &PartSum<R>::shear);
+    const Vec3<double> lost = over_places(sums_, &PartSum<R>::lost);
+    out.work = {{diagonal.x, diagonal.y, diagonal.z, shear.x, shear.y, shear.z},
+                {lost.x, lost.y, lost.z, opening_}};
+    return out;
+  }
+
+  const ContactLoop<S>& loop_;
+  TouchingRows<S> rows_;
+  Found<Real> found_;
+  PartSum<R> sums_[parts];
+  double opening_ = 0;
+};
+
+}  // namespace furnas::HWY_NAMESPACE

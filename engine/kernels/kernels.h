@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/laws/any_law.h"
+#include "engine/state/cell.h"
+#include "engine/state/ledger.h"
+#include "engine/state/pair_list.h"
+#include "engine/state/records.h"
+
+namespace furnas {
+
+/// What the loop over contacts reads and writes: plain pointers into State.
+template <class S>
+struct ContactLoop {
+  using Real = typename S::Real;
+
+  const typename S::Law* law;
+  Triangle edges;    ///< of the cell [d_s]
+  Triangle rate;     ///< of the cell [1/time]
+  double time_step;  ///< [time]
+  bool affine;       ///< contacts see the cell's flow
+  const Particle<Real, S::spins>* particles;
+  const Load<Real, S::spins>* loads;
+  const std::uint64_t* first;    ///< as in PairList
+  const std::uint32_t* partner;  ///< as in PairList
+  const Quarter* quarter;        ///< as in PairList; null while every nearest image is right
+  Row<Real, S::spins>* rows;
+  Spring<Real>* springs;
+  std::uint8_t* touching;
+};
+
+/// What a piece of the contacts adds up.
+struct ContactSum {
+  /// Sum of branch (x) force: force weighted with one component of the branch [k_n d_s^2].
+  Vec3<double> x, y, z;
+  ContactWork work;
+
+  void operator+=(const ContactSum& b) { x += b.x, y += b.y, z += b.z, work += b.work; }
+};
+
+/// Half a step of the cell's drag on velocities: v -> factor (shear (factor v)), the shear being
+/// v_x - xy v_y - xz v_z, v_y - yz v_z, v_z.
+struct CellDragStep {
+  Vec3<double> factor;
+  double yz, xz, xy;
+};
+
+/// What half a kick and the drift read and write.
+template <class S>
+struct DriftLoop {
+  using Real = typename S::Real;
+
+  double time_step;  ///< [time]
+  CellDragStep drag;
+  Triangle to_fraction;  ///< inverse of the cell's edges [1/d_s]
+  Triangle list_edges;   ///< of the cell when the list was built [d_s]
+  const Load<Real, S::spins>* loads;
+  Particle<Real, S::spins>* particles;
+};
+
+/// What the sum over contacts and half a kick read and write.
+template <class S>
+struct GatherLoop {
+  using Real = typename S::Real;
+
+  double time_step;  ///< [time]
+  CellDragStep drag;
+  const std::uint64_t* first;           ///< as in PairList
+  const std::uint64_t* incoming_first;  ///< as in PairList
+  const std::uint32_t* incoming;        ///< as in PairList
+  const Row<Real, S::spins>* rows;
+  Load<Real, S::spins>* loads;
+  Particle<Real, S::spins>* particles;
+};
+
+/// Sum of m v (x) v [k_n d_s^2].
+struct MotionSum {
+  double xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
+  void operator+=(const MotionSum& b) {
+    xx += b.xx, yy += b.yy, zz += b.zz, yz += b.yz, xz += b.xz, xy += b.xy;
+  }
+};
+
+/// The loops of a step that take nearly all of its time, for one instruction set; each over particles [begin,
+/// end).
+template <class S>
+struct Kernels {
+  ContactSum (*contacts)(const ContactLoop<S>&, std::size_t begin, std::size_t end);
+  double (*drift)(const DriftLoop<S>&, std::size_t begin,
+                  std::size_t end);  ///< square of the longest way [d_s^2]
+  MotionSum (*gather)(const GatherLoop<S>&, std::size_t begin, std::size_t end);
+};
+
+/// The instruction sets for which there are kernels, from the least to the most.
+enum class InstructionSet { scalar, avx2, avx512 };
+
+/// Its name: "scalar", "AVX2", "AVX-512".
+const char* to_string(InstructionSet set);
+
+/// The best set that this processor has, unless choose() or the variable FURNAS_SIMD said otherwise. The bits
+/// of a result do not depend on it.
+InstructionSet instruction_set();
+
+/// Takes this set from now on; the best one that the processor has if it lacks it.
+void choose(InstructionSet set);
+
+/// The kernels of instruction_set().
+template <class S>
+const Kernels<S>& kernels();
+
+}  // namespace furnas

@@ -1,0 +1,247 @@
+#pragma once
+
+#ifdef __BMI2__
+#include <immintrin.h>
+#endif
+
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "engine/kernels/groups.h"
+#include "engine/kernels/kernels.h"
+
+namespace furnas::HWY_NAMESPACE {
+
+/// Candidates that are looked at together.
+constexpr std::size_t block = 256;
+constexpr std::size_t margin = 16;  ///< behind the last one, for whole lanes
+
+/// Contacts that were found, in the order of their rows.
+template <class Real>
+struct Found {
+  std::size_t count = 0;
+  Real x[block + 2 * margin], y[block + 2 * margin], z[block + 2 * margin];  ///< branch [d_s]
+  Real distance[block + 2 * margin];                                         ///< |branch| [d_s]
+  Real overlap[block + 2 * margin];                                          ///< [d_s]
+  std::uint64_t i[block + 2 * margin], j[block + 2 * margin];                ///< particles, times 8
+  std::uint64_t row[block + 2 * margin];                                     ///< row of the list, times 4
+
+  /// Moves those from `from` on to the front.
+  void drop_until(std::size_t from) {
+    const std::size_t left = count - from;
+    const auto shift = [&](auto* values) { std::memmove(values, values + from, left * sizeof(*values)); };
+    shift(x), shift(y), shift(z), shift(distance), shift(overlap), shift(i), shift(j), shift(row);
+    count = left;
+  }
+
+  /// Sets place `n` to what stands at `from`.
+  void copy(std::size_t from, std::size_t n) {
+    x[n] = x[from], y[n] = y[from], z[n] = z[from], distance[n] = distance[from], overlap[n] = overlap[from];
+    i[n] = i[from], j[n] = j[from], row[n] = row[from];
+  }
+};
+
+/// Record number `times`/factor of an array. Processors add a register times 2, 4 or 8 to an address for
+/// nothing.
+template <std::size_t factor, class Record>
+HWY_INLINE Record& record(Record* records, std::uint64_t times) {
+  static_assert(sizeof(Record) % factor == 0);
+  using Byte = std::conditional_t<std::is_const_v<Record>, const char, char>;
+  return *reinterpret_cast<Record*>(reinterpret_cast<Byte*>(records) + times * (sizeof(Record) / factor));
+}
+
+/// Finds which rows of the list touch. Differences, squares and overlaps are of double precision whatever the
+/// precision of the forces.
+template <class S>
+class TouchingRows {
+ public:
+  using Real = typename S::Real;
+
+  explicit TouchingRows(const ContactLoop<S>& loop) : loop_(loop) {}
+
+  /// Looks at rows [row, stop), a block at most, the first of them of particle `i` or a later one; appends
+  /// those that touch to `found` and calls parted(i, j, row, branch) for those that did at the last step.
+  template <class Parted>
+  void look(std::size_t& i, std::uint64_t row, std::uint64_t stop, Found<Real>& found, Parted&& parted) {
+    take(i, row, stop);
+    compare(row);
+    note_changes(row, parted);
+    append(found);
+  }
+
+ private:
+  using D = Lanes<double>;
+  static constexpr std::size_t lanes = D::count;
+
+  /// Differences of positions of the rows [row, stop).
+  void take(std::size_t& i, std::uint64_t row, std::uint64_t stop) {
+    name_owners(i, row, stop);
+    count_ = stop - row;
+    const std::uint32_t* const partner = loop_.partner + row;
+    for (std::size_t n = 0; n < count_; ++n) {
+      j_[n] = std::uint64_t{8} * partner[n];
+      const auto& p = record<8>(loop_.particles, i_[n]);
+      const auto& q = record<8>(loop_.particles, j_[n]);
+      fixed_[0][n] = static_cast<std::int64_t>(p.position.x - q.position.x);
+      fixed_[1][n] = static_cast<std::int64_t>(p.position.y - q.position.y);
+      fixed_[2][n] = static_cast<std::int64_t>(p.position.z - q.position.z);
+      reach_[n] = static_cast<double>(p.radius) + static_cast<double>(q.radius);
+    }
+    if (loop_.quarter != nullptr)
+      for (int a = 0; a < 3; ++a)
+        for (std::size_t n = 0; n < count_; ++n) quarter_[a][n] = 0.25 * loop_.quarter[row + n][a];
+    for (std::size_t k = count_; k < count_ + lanes; ++k) {
+      fixed_[0][k] = fixed_[1][k] = fixed_[2][k] = 0;
+      quarter_[0][k] = quarter_[1][k] = quarter_[2][k] = 0;
+      reach_[k] = 0;  // what fills up the lanes touches nothing: 0 < 0 is false
+    }
+  }
+
+  /// Writes the owner of each row. Eight places at once, most of which the next owner overwrites: loops over
+  /// the few rows of a particle would cost the processor a wrong guess each.
+  void name_owners(std::size_t& i, std::uint64_t row, std::uint64_t stop) {
+    std::uint64_t next = row;
+    while (loop_.first[i + 1] <= next) ++i;
+    while (true) {
+      const std::uint64_t end = loop_.first[i + 1] < stop ? loop_.first[i + 1] : stop;
+      do {
+        std::uint64_t* to = i_ + (next - row);
+        for (int k = 0; k < 8; ++k) to[k] = 8 * i;
+        next += 8;
+      } while (next < end);
+      next = end;
+      if (next == stop) return;
+      ++i;
+    }
+  }
+
+  /// s_i - s_j along an axis, of the image that is meant.
+  HWY_INLINE D difference(int axis, std::size_t n) const {
+    const D d(hn::Mul(hn::ConvertTo(Tag<double>(), hn::LoadU(Tag<std::int64_t>(), fixed_[axis] + n)),
+                      hn::Set(Tag<double>(), 1 / two_to_64)));
+    if (loop_.quarter == nullptr) return d;
+    return d + D(hn::Round((D::from(quarter_[axis] + n) - d).v));
+  }
+
+  /// Branches, and which of them are shorter than the reach: those, close together.
+  void compare(std::uint64_t first) {
+    const Triangle& h = loop_.edges;
+    const D xx(h.xx), yy(h.yy), zz(h.zz), yz(h.yz), xz(h.xz), xy(h.xy);
+    touching_ = 0;
+    for (std::size_t n = 0; n < count_; n += lanes) {
+      const D sx = difference(0, n);
+      const D sy = difference(1, n);
+      const D sz = difference(2, n);
+      const D x = xx * sx + xy * sy + xz * sz;
+      const D y = yy * sy + yz * sz;
+      const D z = zz * sz;
+      const D square = x * x + y * y + z * z;
+      const D reach = D::from(reach_ + n);
+      const unsigned touch = bits_of(square < reach * reach);
+      bits_[n / lanes] = static_cast<std::uint8_t>(touch);
+      pack(x, touch, x_ + touching_), pack(y, touch, y_ + touching_), pack(z, touch, z_ + touching_);
+      pack(square, touch, square_ + touching_), pack(reach, touch, near_reach_ + touching_);
+      pack(D::from_bits(i_ + n), touch, near_i_ + touching_),
+          pack(D::from_bits(j_ + n), touch, near_j_ + touching_);
+      const auto here = hn::Iota(Tag<std::uint64_t>(), first + n);
+      pack(D(hn::BitCast(Tag<double>(), hn::ShiftLeft<2>(here))), touch, near_row_ + touching_);
+      touching_ += static_cast<std::size_t>(__builtin_popcount(touch));
+    }
+  }
+
+  static HWY_INLINE unsigned bits_of(const Truths<double>& truths) {
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(Tag<double>(), truths.mask, bits);
+    return bits[0];
+  }
+
+  /// Keeps the flags of the rows up to date and reports contacts that opened.
+  template <class Parted>
+  void note_changes(std::uint64_t first, Parted& parted) {
+    std::uint8_t* flags = loop_.touching + first;
+    for (std::size_t n = 0; n < count_; n += lanes) {
+      const std::size_t here = count_ - n < lanes ? count_ - n : lanes;
+      const std::uint64_t now = spread(bits_[n / lanes]);
+      std::uint64_t before = now;
+      if (here == 8)
+        std::memcpy(&before, flags + n, 8);
+      else
+        for (std::size_t k = 0; k < here; ++k) reinterpret_cast<std::uint8_t*>(&before)[k] = flags[n + k];
+      if (before == now) continue;
+      for (std::size_t k = 0; k < here; ++k) {
+        const bool touches = ((bits_[n / lanes] >> k) & 1) != 0;
+        if (flags[n + k] != 0 && !touches)
+          parted(i_[n + k] / 8, loop_.partner[first + n + k], first + n + k, branch(n + k));
+        flags[n + k] = touches ? 1 : 0;
+      }
+    }
+  }
+
+  /// Each of eight bits as a byte.
+  static HWY_INLINE std::uint64_t spread(std::uint8_t bits) {
+#ifdef __BMI2__
+    return _pdep_u64(bits, 0x0101010101010101);
+#else
+    std::uint64_t bytes = 0;
+    for (int k = 0; k < 8; ++k) bytes |= static_cast<std::uint64_t>((bits >> k) & 1) << (8 * k);
+    return bytes;
+#endif
+  }
+
+  /// Branch of one candidate, as compare() has it.
+  Vec3<double> branch(std::size_t n) const {
+    double s[3];
+    for (int a = 0; a < 3; ++a) {
+      s[a] = static_cast<double>(fixed_[a][n]) * (1 / two_to_64);
+      if (loop_.quarter != nullptr) s[a] += std::nearbyint(quarter_[a][n] - s[a]);
+    }
+    const Triangle& h = loop_.edges;
+    return {h.xx * s[0] + h.xy * s[1] + h.xz * s[2], h.yy * s[1] + h.yz * s[2], h.zz * s[2]};
+  }
+
+  static HWY_INLINE void narrow(const D& value, double* to) { value.to(to); }
+  static HWY_INLINE void narrow(const D& value, float* to) {
+    const hn::Rebind<float, Tag<double>> half;
+    hn::StoreU(hn::DemoteTo(half, value.v), half, to);
+  }
+
+  void append(Found<Real>& found) {
+    for (std::size_t k = touching_; k < touching_ + lanes; ++k)  // whole lanes of numbers
+      x_[k] = y_[k] = z_[k] = square_[k] = near_reach_[k] = 1;
+    for (std::size_t n = 0; n < touching_; n += lanes) {
+      const std::size_t to = found.count + n;
+      const D reach = D::from(near_reach_ + n);
+      D square = D::from(square_ + n);
+      // Centres that coincide have no normal; they part along x.
+      const auto coincide = square == D(0);
+      const D x = select(coincide, D(1e-9) * reach, D::from(x_ + n));
+      square = select(coincide, x * x, square);
+      const D distance = sqrt(square);
+      narrow(x, found.x + to);
+      narrow(D::from(y_ + n), found.y + to);
+      narrow(D::from(z_ + n), found.z + to);
+      narrow(distance, found.distance + to);
+      narrow(reach - distance, found.overlap + to);
+    }
+    std::memcpy(found.i + found.count, near_i_, touching_ * 8);
+    std::memcpy(found.j + found.count, near_j_, touching_ * 8);
+    std::memcpy(found.row + found.count, near_row_, touching_ * 8);
+    found.count += touching_;
+  }
+
+  const ContactLoop<S>& loop_;
+  std::size_t count_ = 0;                                             ///< candidates of the block
+  std::size_t touching_ = 0;                                          ///< of them
+  std::int64_t fixed_[3][block + margin];                             ///< s_i - s_j [2^-64]
+  double quarter_[3][block + margin];                                 ///< of the image [cell]
+  double reach_[block + margin];                                      ///< R_i + R_j [d_s]
+  std::uint64_t i_[block + margin], j_[block + margin];               ///< particles, times 8
+  std::uint8_t bits_[block / lanes + 8];                              ///< which lanes touch
+  double x_[block + margin], y_[block + margin], z_[block + margin];  ///< branches of those that touch [d_s]
+  double square_[block + margin], near_reach_[block + margin];
+  double near_i_[block + margin], near_j_[block + margin],
+      near_row_[block + margin];  ///< whole numbers, bit by bit
+};
+
+}  // namespace furnas::HWY_NAMESPACE
