@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/analysis/analyze.h"
+#include "engine/structure/analyze.h"
 
 namespace furnas {
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "engine/analysis/statistics.h"
+#include "engine/structure/statistics.h"
 #include "io/case_file.h"
 #include "tests/cases/runs.h"
 

@@ -8,8 +8,8 @@
 
 #include "engine/base/require.h"
 #include "engine/events/limits.h"
-#include "tests/engine/analysis/graph_packing.h"
 #include "tests/engine/fake_simulation.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 namespace {

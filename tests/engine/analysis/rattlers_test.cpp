@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/engine/analysis/graph_packing.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 namespace {

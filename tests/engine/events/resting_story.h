@@ -4,8 +4,8 @@
 
 #include "engine/compaction.h"
 #include "engine/events/at_rest.h"
-#include "tests/engine/analysis/graph_packing.h"
 #include "tests/engine/fake_simulation.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "engine/analysis/coordination.h"
-#include "engine/analysis/fabric.h"
-#include "engine/analysis/force_distribution.h"
-#include "engine/analysis/pair_correlation.h"
 #include "engine/analysis/rattlers.h"
+#include "engine/structure/coordination.h"
+#include "engine/structure/fabric.h"
+#include "engine/structure/force_distribution.h"
+#include "engine/structure/pair_correlation.h"
 
 namespace furnas {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/analysis/contacts.h"
-#include "engine/analysis/histogram.h"
+#include "engine/structure/histogram.h"
 
 namespace furnas {
 

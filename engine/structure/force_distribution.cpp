@@ -1,4 +1,4 @@
-#include "engine/analysis/force_distribution.h"
+#include "engine/structure/force_distribution.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "engine/analysis/coordination.h"
+#include "engine/structure/coordination.h"
 
 #include <gtest/gtest.h>
 
 #include "engine/analysis/rattlers.h"
-#include "tests/engine/analysis/graph_packing.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/analysis/furnas_model.h"
+#include "engine/structure/furnas_model.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/analysis/analyze.h"
+#include "engine/structure/analyze.h"
 
 #include <gtest/gtest.h>
 

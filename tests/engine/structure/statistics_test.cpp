@@ -1,4 +1,4 @@
-#include "engine/analysis/statistics.h"
+#include "engine/structure/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/analysis/histogram.h"
+#include "engine/structure/histogram.h"
 
 #include <gtest/gtest.h>
 

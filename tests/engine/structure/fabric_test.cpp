@@ -1,12 +1,12 @@
-#include "engine/analysis/fabric.h"
+#include "engine/structure/fabric.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/engine/analysis/graph_packing.h"
 #include "tests/engine/phases/crystal.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 namespace {

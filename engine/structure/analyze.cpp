@@ -1,6 +1,6 @@
-#include "engine/analysis/analyze.h"
+#include "engine/structure/analyze.h"
 
-#include "engine/analysis/furnas_model.h"
+#include "engine/structure/furnas_model.h"
 
 namespace furnas {
 namespace {

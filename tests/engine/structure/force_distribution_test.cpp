@@ -1,9 +1,9 @@
-#include "engine/analysis/force_distribution.h"
+#include "engine/structure/force_distribution.h"
 
 #include <gtest/gtest.h>
 
 #include "engine/base/require.h"
-#include "tests/engine/analysis/graph_packing.h"
+#include "tests/engine/support/graph_packing.h"
 
 namespace furnas {
 namespace {

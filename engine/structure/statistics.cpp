@@ -1,4 +1,4 @@
-#include "engine/analysis/statistics.h"
+#include "engine/structure/statistics.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>

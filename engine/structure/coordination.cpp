@@ -1,4 +1,4 @@
-#include "engine/analysis/coordination.h"
+#include "engine/structure/coordination.h"
 
 namespace furnas {
 

@@ -1,4 +1,4 @@
-#include "engine/analysis/fabric.h"
+#include "engine/structure/fabric.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "engine/analysis/pair_correlation.h"
+#include "engine/structure/pair_correlation.h"
 
 #include <gtest/gtest.h>
 
