@@ -175,7 +175,7 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
              image_of_row(list, k, state_.particles[i].position, state_.particles[j].position) == image))
       ++k;
     require(k < list.first[i + 1], "every contact is in the list");
-    state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
+    state_.rows.row[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
     state_.memory.touching[k] = 1;
     if constexpr (spins)
       state_.memory.springs[k].history = {Real(sign * c.history.x), Real(sign * c.history.y),
@@ -205,7 +205,7 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
       c.image = image_of_row(list, k, p.position, q.position);
       c.branch = branch;
       c.overlap = reach - std::sqrt(square);
-      c.force = wide(state_.rows[k].force);
+      c.force = wide(state_.rows.row[k].force);
       if constexpr (spins) {
         c.history = wide(state_.memory.springs[k].history);
         const double friction = std::get<typename Scene::Law>(model_.law).constants.friction;

@@ -97,6 +97,10 @@ class ContactKernel {
     touch.time_step = R(loop_.time_step);
     see(at, touch);
 
+    for (std::size_t l = 0; l < valid; ++l) {
+      loop_.touched[found_.i[at + l] / 8].store(1, std::memory_order_relaxed);
+      loop_.touched[found_.j[at + l] / 8].store(1, std::memory_order_relaxed);
+    }
     Spring<Real>* const springs = loop_.springs;
     const auto history_at = [springs](std::uint64_t row) { return &record<4>(springs, row).history.x; };
     Vec3<R> history{};

@@ -14,43 +14,49 @@ HWY_INLINE Vec3<R> dragged(const CellDragStep& d, const Vec3<R>& v) {
           u.z * factor.z};
 }
 
-/// The particles of some lanes: what is kicked, and by what.
-template <class S>
+/// The particles of some lanes: what is kicked, and by what. If they are not as many as lanes, `whole` is
+/// false, and lanes behind the last of the `count` particles repeat it.
+template <class S, bool whole>
 struct Moving {
   using Real = typename S::Real;
   using R = Lanes<Real>;
 
-  Group<Real> v, w;  ///< velocity and inverse mass; spin and inverse inertia
   Vec3<R> velocity, spin;
+  R inverse_mass, inverse_inertia;
 
-  Moving(const Particle<Real, S::spins>* particles, const std::size_t count) {
-    // Lanes behind the last particle repeat it.
-    const auto at = [=](std::size_t l) -> const auto& { return particles[l < count ? l : count - 1]; };
-    v = load_groups<Real>([&](std::size_t l) { return &at(l).velocity.x; });
-    velocity = {v.a, v.b, v.c};
+  HWY_INLINE Moving(const Particle<Real, S::spins>* particles, std::size_t count) {
+    const auto v = take(particles, count, [](const auto& p) { return &p.velocity.x; });
+    velocity = {v.a, v.b, v.c}, inverse_mass = v.d;
     if constexpr (S::spins) {
-      w = load_groups<Real>([&](std::size_t l) { return &at(l).spin.x; });
-      spin = {w.a, w.b, w.c};
+      const auto w = take(particles, count, [](const auto& p) { return &p.spin.x; });
+      spin = {w.a, w.b, w.c}, inverse_inertia = w.d;
     }
   }
 
   /// Half a kick.
   HWY_INLINE void kick(const Load<Real, S::spins>* loads, std::size_t count, const R& half_step) {
-    const auto at = [=](std::size_t l) -> const auto& { return loads[l < count ? l : count - 1]; };
-    const Group<Real> f = load_groups<Real>([&](std::size_t l) { return &at(l).force.x; });
-    velocity += (half_step * v.d) * Vec3<R>{f.a, f.b, f.c};
+    const auto f = take(loads, count, [](const auto& load) { return &load.force.x; });
+    velocity += (half_step * inverse_mass) * Vec3<R>{f.a, f.b, f.c};
     if constexpr (S::spins) {
-      const Group<Real> t = load_groups<Real>([&](std::size_t l) { return &at(l).torque.x; });
-      spin += (half_step * w.d) * Vec3<R>{t.a, t.b, t.c};
+      const auto t = take(loads, count, [](const auto& load) { return &load.torque.x; });
+      spin += (half_step * inverse_inertia) * Vec3<R>{t.a, t.b, t.c};
     }
   }
 
   HWY_INLINE void store(Particle<Real, S::spins>* particles, std::size_t count) const {
-    store_groups<Real>({velocity.x, velocity.y, velocity.z, v.d}, count,
+    const std::size_t all = whole ? R::count : count;
+    store_groups<Real>({velocity.x, velocity.y, velocity.z, inverse_mass}, all,
                        [=](std::size_t l) { return &particles[l].velocity.x; });
     if constexpr (S::spins)
-      store_groups<Real>({spin.x, spin.y, spin.z, w.d}, count,
+      store_groups<Real>({spin.x, spin.y, spin.z, inverse_inertia}, all,
                          [=](std::size_t l) { return &particles[l].spin.x; });
+  }
+
+ private:
+  template <class Record, class Where>
+  static HWY_INLINE Group<Real> take(const Record* records, std::size_t count, Where&& group) {
+    return load_groups<Real>(
+        [&](std::size_t l) { return group(records[whole || l < count ? l : count - 1]); });
   }
 };
 
@@ -62,18 +68,8 @@ class DriftKernel {
 
   double operator()(std::size_t begin, std::size_t end) {
     D longest;
-    for (std::size_t i = begin; i < end; i += lanes) {
-      const std::size_t count = end - i < lanes ? end - i : lanes;
-      Particle<Real, S::spins>* const here = loop_.particles + i;
-      Moving<S> m(here, count);
-      m.velocity = dragged(loop_.drag, m.velocity);
-      m.kick(loop_.loads + i, count, R(0.5 * loop_.time_step));
-      m.store(here, count);
-      Real x[lanes], y[lanes], z[lanes];
-      m.velocity.x.to(x), m.velocity.y.to(y), m.velocity.z.to(z);
-      for (std::size_t l = 0; l < count; l += D::count)
-        longest = larger(longest, move(here, l, count, x, y, z));
-    }
+    for (; begin + lanes <= end; begin += lanes) take_on<true>(begin, lanes, longest);
+    if (begin < end) take_on<false>(begin, end - begin, longest);
     double squares[D::count];
     longest.to(squares);
     double top = 0;
@@ -86,6 +82,19 @@ class DriftKernel {
   using R = Lanes<Real>;
   using D = Lanes<double>;
   static constexpr std::size_t lanes = R::count;
+
+  template <bool whole>
+  HWY_INLINE void take_on(std::size_t i, std::size_t count, D& longest) const {
+    Particle<Real, S::spins>* const here = loop_.particles + i;
+    Moving<S, whole> m(here, count);
+    m.velocity = dragged(loop_.drag, m.velocity);
+    m.kick(loop_.loads + i, count, R(0.5 * loop_.time_step));
+    m.store(here, count);
+    Real x[lanes], y[lanes], z[lanes];
+    m.velocity.x.to(x), m.velocity.y.to(y), m.velocity.z.to(z);
+    for (std::size_t l = 0; l < (whole ? lanes : count); l += D::count)
+      longest = larger(longest, move(here, l, whole ? lanes : count, x, y, z));
+  }
 
   static HWY_INLINE D wide(const double* v) { return D::from(v); }
   static HWY_INLINE D wide(const float* v) {

@@ -16,14 +16,12 @@ class GatherKernel {
     for (std::size_t i = begin; i < end; i += batch) {
       const std::size_t stop = end - i < batch ? end : i + batch;
       for (std::size_t k = i; k < stop; ++k) sum_rows(k);
-      for (std::size_t part = 0; part < parts && i + part * lanes < stop; ++part) {
+      for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t at = i + part * lanes;
-        const std::size_t count = stop - at < lanes ? stop - at : lanes;
-        Moving<S> m(loop_.particles + at, count);
-        m.kick(loop_.loads + at, count, R(0.5 * loop_.time_step));
-        m.velocity = dragged(loop_.drag, m.velocity);
-        m.store(loop_.particles + at, count);
-        add(m, count, diagonal[part], shear[part]);
+        if (at + lanes <= stop)
+          kick<true>(at, lanes, diagonal[part], shear[part]);
+        else if (at < stop)
+          kick<false>(at, stop - at, diagonal[part], shear[part]);
       }
     }
     const Vec3<double> d = over_places(diagonal);
@@ -66,7 +64,13 @@ class GatherKernel {
       sum[r] = hn::Add(sum[r], hn::Mul(hn::LoadU(d, &row.force.x + r * width), factor(sign, minus_arm, r)));
   }
 
+  /// Most particles of a gas, and of the rattlers of a packing, touch nothing.
   HWY_INLINE void sum_rows(std::size_t i) const {
+    if (loop_.touched[i].load(std::memory_order_relaxed) == 0) {
+      loop_.loads[i] = {};
+      return;
+    }
+    loop_.touched[i].store(0, std::memory_order_relaxed);
     const auto arm_i = [](const RowOf& row) -> const Real* {
       if constexpr (S::spins)
         return &row.minus_arm_i;
@@ -91,12 +95,18 @@ class GatherKernel {
     for (std::size_t r = 0; r < registers; ++r) hn::StoreU(sum[r], d, &loop_.loads[i].force.x + r * width);
   }
 
-  HWY_INLINE void add(const Moving<S>& m, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
-    const R mass = R(1) / m.v.d;
+  /// Half a kick of some particles, the cell's drag, and their part of the sums.
+  template <bool whole>
+  HWY_INLINE void kick(std::size_t at, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
+    Moving<S, whole> m(loop_.particles + at, count);
+    m.kick(loop_.loads + at, count, R(0.5 * loop_.time_step));
+    m.velocity = dragged(loop_.drag, m.velocity);
+    m.store(loop_.particles + at, count);
+    const R mass = R(1) / m.inverse_mass;
     const Vec3<R>& v = m.velocity;
     Vec3<R> d{mass * v.x * v.x, mass * v.y * v.y, mass * v.z * v.z};
     Vec3<R> s{mass * v.y * v.z, mass * v.x * v.z, mass * v.x * v.y};
-    if (count < lanes) {
+    if constexpr (!whole) {
       Real counts[lanes];
       for (std::size_t l = 0; l < lanes; ++l) counts[l] = l < count ? Real(1) : Real(0);
       const auto counted = R::from(counts) > R(0);

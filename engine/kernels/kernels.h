@@ -29,6 +29,7 @@ struct ContactLoop {
   Row<Real, S::spins>* rows;
   Spring<Real>* springs;
   std::uint8_t* touching;
+  Touched* touched;
 };
 
 /// What a piece of the contacts adds up.
@@ -71,6 +72,7 @@ struct GatherLoop {
   const std::uint64_t* incoming_first;  ///< as in PairList
   const std::uint32_t* incoming;        ///< as in PairList
   const Row<Real, S::spins>* rows;
+  Touched* touched;  ///< cleared
   Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };

@@ -15,8 +15,8 @@ template <class Scene>
 void contact_forces(const Model& model, const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
-                    std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                    Memory<typename Scene::Real>& memory, Eigen::Matrix3d& stress, ContactWork& work) {
+                    Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
+                    Eigen::Matrix3d& stress, ContactWork& work) {
   const ContactLoop<Scene> loop{&std::get<typename Scene::Law>(model.law),
                                 cell.edges,
                                 cell.rate,
@@ -27,9 +27,10 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                                 pairs.first.data(),
                                 pairs.partner.data(),
                                 pairs.quarter.empty() ? nullptr : pairs.quarter.data(),
-                                rows.data(),
+                                rows.row.data(),
                                 memory.springs.data(),
-                                memory.touching.data()};
+                                memory.touching.data(),
+                                rows.touched.data()};
   const auto kernel = kernels<Scene>().contacts;
   const auto sum = ordered_sum<ContactSum>(
       particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });
@@ -41,7 +42,7 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
   template void contact_forces<Scene<Law, Real>>(                                                 \
       const Model&, const double&, const Cell&, const PairList&,                                  \
       const std::vector<Particle<Real, Law::spins>>&, const std::vector<Load<Real, Law::spins>>&, \
-      std::vector<Row<Real, Law::spins>>&, Memory<Real>&, Eigen::Matrix3d&, ContactWork&);
+      Rows<Real, Law::spins>&, Memory<Real>&, Eigen::Matrix3d&, ContactWork&);
 FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

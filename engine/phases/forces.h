@@ -14,7 +14,7 @@ template <class Scene>
 void contact_forces(const Model& model, const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
-                    std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                    Memory<typename Scene::Real>& memory, Eigen::Matrix3d& stress, ContactWork& work);
+                    Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
+                    Eigen::Matrix3d& stress, ContactWork& work);
 
 }  // namespace furnas

@@ -46,7 +46,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                     const std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                     Rows<typename Scene::Real, Scene::spins>& rows,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion) {
@@ -55,7 +55,8 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                                pairs.first.data(),
                                pairs.incoming_first.data(),
                                pairs.incoming.data(),
-                               rows.data(),
+                               rows.row.data(),
+                               rows.touched.data(),
                                loads.data(),
                                particles.data()};
   const auto kernel = kernels<Scene>().gather;
@@ -69,9 +70,8 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
       const Barostat&, const double&, const Cell&, const PairList&,                                       \
       const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&); \
   template void gather_and_kick<Scene<Law, Real>>(                                                        \
-      const Barostat&, const double&, const Cell&, const PairList&,                                       \
-      const std::vector<Row<Real, Law::spins>>&, std::vector<Load<Real, Law::spins>>&,                    \
-      std::vector<Particle<Real, Law::spins>>&, Eigen::Matrix3d&);
+      const Barostat&, const double&, const Cell&, const PairList&, Rows<Real, Law::spins>&,              \
+      std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, Eigen::Matrix3d&);
 FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

@@ -23,7 +23,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 /// With `time_step` 0 only the sums are taken.
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                     const std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
+                     Rows<typename Scene::Real, Scene::spins>& rows,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion);

@@ -45,31 +45,35 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
                    ListDraft& draft) {
   draft.positions.resize(particles.size());
   draft.radii.resize(particles.size());
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    draft.positions[i] = particles[i].position;
-    draft.radii[i] = particles[i].radius;
-  }
+  for_chunks(particles.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      draft.positions[i] = particles[i].position;
+      draft.radii[i] = particles[i].radius;
+    }
+  });
   draft.fresh.classes = pairs.classes;
   draft.fresh.skin =
       next_skin(pairs, wear.travelled, pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
-  draft.bins = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, draft.positions);
+  draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, draft.positions);
 }
 
 void search_pairs(const Cell& cell, ListDraft& draft) {
-  find_pairs(draft.bins, cell.edges, draft.positions, draft.radii, draft.fresh);
+  find_pairs(draft.grids, cell.edges, draft.positions, draft.radii, draft.fresh);
 }
 
 template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                Memory<typename Scene::Real>& memory, std::vector<Image>& image, Wear& wear) {
-  for (std::size_t i = 0; i < pairs.reference.size(); ++i)
-    image[i] = crossed(image[i], pairs.reference[i], draft.positions[i]);
+                Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
+                std::vector<Image>& image, Wear& wear) {
+  for_chunks(pairs.reference.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i)
+      image[i] = crossed(image[i], pairs.reference[i], draft.positions[i]);
+  });
   merge_memory(pairs, memory, draft.fresh, draft.positions, Scene::spins);
   draft.fresh.step = step;
   draft.fresh.builds = pairs.builds + 1;
   std::swap(pairs, draft.fresh);
-  rows.assign(pairs.rows(), {});
+  rows.clear(pairs.rows(), draft.positions.size());
   wear.travelled.assign(pairs.classes.size(), 0);
   wear.suspect = wear.worn = false;
 }
@@ -81,8 +85,8 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                                                 const Cell&, const Wear&, const PairList&,                   \
                                                 const std::vector<Particle<Real, Law::spins>>&, ListDraft&); \
   template void adopt_list<Scene<Law, Real>>(const std::int64_t&, ListDraft&, PairList&,                     \
-                                             std::vector<Row<Real, Law::spins>>&, Memory<Real>&,             \
-                                             std::vector<Image>&, Wear&);
+                                             Rows<Real, Law::spins>&, Memory<Real>&, std::vector<Image>&,    \
+                                             Wear&);
 FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/phases/integrate.h"
-#include "engine/search/bins.h"
+#include "engine/search/grid.h"
 #include "engine/search/wear.h"
 #include "engine/state/state.h"
 
@@ -14,7 +14,7 @@ namespace furnas {
 struct ListDraft {
   std::vector<Fraction> positions;
   std::vector<double> radii;  ///< [d_s]
-  std::vector<Bins> bins;
+  std::vector<Grid> grids;
   PairList fresh;
 };
 
@@ -39,7 +39,7 @@ void search_pairs(const Cell& cell, ListDraft& draft);
 /// Puts the new list in the place of the old one; the memory and the count of crossed cells survive.
 template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                std::vector<Row<typename Scene::Real, Scene::spins>>& rows,
-                Memory<typename Scene::Real>& memory, std::vector<Image>& image, Wear& wear);
+                Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
+                std::vector<Image>& image, Wear& wear);
 
 }  // namespace furnas

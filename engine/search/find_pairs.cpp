@@ -8,20 +8,37 @@
 
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
-#include "engine/search/neighbourhood.h"
 
 namespace furnas {
 namespace {
 
-constexpr std::size_t chunk = 512;
-
 /// Places in the cell are rounded to 2^-53 of it here, contacts are not: bins and reach are this much wider.
 constexpr double hair = 1e-9;
 
+constexpr std::size_t chunk = 512;  ///< particles
+
+/// One image of a partner as one number, so that rows sort by partner, then by image: the partner in the
+/// upper half, the quarters in the lower, each from 0.
 struct Found {
-  std::uint32_t partner;
-  Vec3<double> difference;  ///< s_i - s_j of the image
-  Quarter quarter;
+  std::uint64_t key;
+  Found(std::uint32_t partner, const Quarter& q)
+      : key(std::uint64_t{partner} << 32 | part(q[0]) << 16 | part(q[1]) << 8 | part(q[2])) {}
+  Found() = default;
+  std::uint32_t partner() const { return static_cast<std::uint32_t>(key >> 32); }
+  Quarter quarter() const { return {quarter(16), quarter(8), quarter(0)}; }
+  bool operator<(const Found& b) const { return key < b.key; }
+
+ private:
+  static std::uint64_t part(std::int8_t q) { return static_cast<std::uint64_t>(q + 128); }
+  std::int8_t quarter(int shift) const {
+    return static_cast<std::int8_t>(static_cast<int>(key >> shift & 255) - 128);
+  }
+};
+
+/// A particle and a partner of a larger class.
+struct Across {
+  std::uint32_t particle;
+  Found found;
 };
 
 Quarter quarters_of(const Vec3<double>& d) {
@@ -42,81 +59,226 @@ bool needs_images(const std::vector<SizeClass>& classes, const Skin& skin, const
   return std::min({h.x, h.y, h.z}) < 2.1 * (radii + skin(radii));
 }
 
-/// The rows of one chunk of particles of a class, before they go to their places.
+/// What makes two particles a pair of the list.
+class Nearness {
+ public:
+  Nearness(const Triangle& edges, const std::vector<double>& radii, const Skin& skin, bool images)
+      : edges_(edges), radii_(radii), skin_(skin), images_(images) {}
+
+  /// Whether two of these indices, so far apart, are listed. `most` bounds their reach.
+  bool operator()(std::uint32_t i, std::uint32_t j, const Vec3<double>& difference, double most) const {
+    const Vec3<double> branch = edges_ * difference;
+    const double square = dot(branch, branch);
+    if (square >= most * most) return false;
+    const double sum = radii_[i] + radii_[j];
+    const double reach = (1 + hair) * (sum + skin_(sum));
+    return square < reach * reach;
+  }
+  const Triangle& edges() const { return edges_; }
+  double radius(std::size_t i) const { return radii_[i]; }
+  Found found(std::uint32_t partner, const Vec3<double>& difference) const {
+    return {partner, images_ ? quarters_of(difference) : Quarter{}};
+  }
+
+ private:
+  const Triangle& edges_;
+  const std::vector<double>& radii_;
+  const Skin& skin_;
+  bool images_;
+};
+
+/// Particles of several runs of bins, one after the other.
+class Gathered {
+ public:
+  /// Forgets all of them.
+  void clear() { count_ = 0; }
+
+  /// Adds a run. A loop over the few particles of it would cost the processor a wrong guess, so it takes four
+  /// at once; the next run overwrites those that are too many.
+  void add(const Placed* at, const Placed* end) {
+    const auto more = static_cast<std::size_t>(end - at);
+    if (room_.size() < count_ + more + Grid::spare) room_.resize(2 * (count_ + more + Grid::spare));
+    Placed* to = room_.data() + count_;
+    do {
+      for (std::size_t k = 0; k < Grid::spare; ++k) to[k] = at[k];
+      at += Grid::spare, to += Grid::spare;
+    } while (at < end);
+    count_ += more;
+  }
+
+  /// Leaves those that come before `i` and are less than `reach` from `s`.
+  void keep_near(std::uint32_t i, const Vec3<double>& s, const Triangle& edges, double reach) {
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < count_; ++n) {
+      const Vec3<double> branch = edges * (s - room_[n].fraction);
+      const bool near = (room_[n].index < i) & (dot(branch, branch) < reach * reach);
+      room_[kept] = room_[n];
+      kept += near ? 1 : 0;
+    }
+    count_ = kept;
+  }
+
+  const Placed* begin() const { return room_.data(); }
+  const Placed* end() const { return room_.data() + count_; }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<Placed> room_;
+};
+
+/// Appends the partners of particle `i` in its own class, those that come before it in memory.
+void find_equals(const Grid& grid, const Vec3<double>& height, const Nearness& near, std::uint32_t i,
+                 const Vec3<double>& s, Gathered& inside, std::vector<Found>& found) {
+  const auto reach = [&](int axis, double h) {
+    return static_cast<std::int64_t>(std::ceil(grid.cutoff * static_cast<double>(grid.count[axis]) / h));
+  };
+  const std::int64_t rx = reach(0, height.x);
+  const std::int64_t ry = reach(1, height.y);
+  const std::int64_t rz = reach(2, height.z);
+  const std::int64_t x = grid.coordinate(0, s.x);
+  const std::int64_t y = grid.coordinate(1, s.y);
+  const std::int64_t z = grid.coordinate(2, s.z);
+  const auto take = [&](const Placed& other, const Vec3<double>& image) {
+    const Vec3<double> difference = s - other.fraction - image;
+    if (near(i, other.index, difference, grid.cutoff)) found.push_back(near.found(other.index, difference));
+  };
+  inside.clear();
+  const auto visit = [&](const Placed* at, const Placed* end, const Vec3<double>& image) {
+    if (image == Vec3<double>{}) return inside.add(at, end);
+    for (; at != end; ++at)
+      if (at->index < i || (at->index == i && is_first_of_mirror(image))) take(*at, image);
+  };
+  for (std::int64_t c = z - rz; c <= z + rz; ++c)
+    for (std::int64_t b = y - ry; b <= y + ry; ++b)
+      visit_run(grid, x - rx, x + rx, wrapped(b, grid.count[1]), wrapped(c, grid.count[2]), visit);
+  inside.keep_near(i, s, near.edges(), grid.cutoff);
+  for (const Placed& other : inside) take(other, {});
+}
+
+/// Appends the particles of the smaller class on `grid` that are near particle `j` of a larger one.
+void find_smaller(const Grid& grid, const Triangle& edges, const Nearness& near, double reach,
+                  std::uint32_t j, const Vec3<double>& s, std::vector<Across>& found) {
+  visit_ball(grid, edges, s, reach, [&](const Placed* at, const Placed* end, const Vec3<double>& image) {
+    for (; at != end; ++at) {
+      const Vec3<double> difference = at->fraction + image - s;
+      if (near(at->index, j, difference, reach)) found.push_back({at->index, near.found(j, difference)});
+    }
+  });
+}
+
+/// Partners of larger classes, piece by piece of those.
+std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids,
+                                             const std::vector<Fraction>& positions, const Triangle& edges,
+                                             const Nearness& near, const PairList& list) {
+  const std::size_t larger = list.classes.back().first;  // none is smaller than the last class
+  constexpr std::size_t few = 4;                         // a large sphere may have thousands
+  std::vector<std::vector<Across>> pieces((larger + few - 1) / few);
+  for_chunks(larger, few, [&](std::size_t begin, std::size_t end, std::size_t piece) {
+    for (std::size_t j = begin; j < end; ++j)
+      for (std::size_t c = 0; c < grids.size(); ++c) {
+        if (list.classes[c].first <= j) continue;  // of its own class or larger
+        const double sum = list.classes[c].largest_radius + near.radius(j);
+        find_smaller(grids[c], edges, near, (1 + 2 * hair) * (sum + list.skin(sum)),
+                     static_cast<std::uint32_t>(j), in_unit_cell(positions[j]), pieces[piece]);
+      }
+  });
+  return pieces;
+}
+
+/// The rows of one chunk of particles within their classes.
 struct Piece {
   std::vector<Found> found;
-  std::vector<std::pair<std::uint32_t, std::size_t>> owners;  ///< particle and the end of its rows
+  std::vector<std::uint32_t> count;  ///< rows of each particle
 };
+
+std::vector<Piece> find_within(const std::vector<Grid>& grids, const std::vector<Fraction>& positions,
+                               const Triangle& edges, const Nearness& near, const PairList& list) {
+  const Vec3<double> height = heights(edges);
+  std::vector<Piece> pieces((positions.size() + chunk - 1) / chunk);
+  for_chunks(positions.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t number) {
+    Piece& piece = pieces[number];
+    piece.found.reserve(5 * chunk);
+    piece.count.reserve(chunk);
+    Gathered inside;
+    std::size_t c = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      while (list.classes[c].last <= i) ++c;
+      const std::size_t before = piece.found.size();
+      find_equals(grids[c], height, near, static_cast<std::uint32_t>(i), in_unit_cell(positions[i]), inside,
+                  piece.found);
+      std::sort(piece.found.begin() + static_cast<std::ptrdiff_t>(before), piece.found.end());
+      piece.count.push_back(static_cast<std::uint32_t>(piece.found.size() - before));
+    }
+  });
+  return pieces;
+}
+
+/// Puts the rows of each particle together: partners of larger classes first, for those come first in memory.
+void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vector<Piece>& within,
+                  bool images, PairList& list) {
+  const std::size_t count = list.reference.size();
+  std::vector<std::atomic<std::uint32_t>> larger(count);
+  for_chunks(across.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
+    for (const Across& a : across[piece]) larger[a.particle].fetch_add(1, std::memory_order_relaxed);
+  });
+  list.first.resize(count + 1);
+  list.first[0] = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    list.first[i + 1] =
+        list.first[i] + within[i / chunk].count[i % chunk] + larger[i].load(std::memory_order_relaxed);
+  require(list.first[count] < std::numeric_limits<std::uint32_t>::max(), "rows of the list fit in 32 bits");
+
+  std::vector<Found> rows(list.first[count]);
+  for_chunks(within.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
+    const Found* from = within[piece].found.data();
+    for (std::size_t n = 0; n < within[piece].count.size(); ++n) {
+      const std::size_t i = piece * chunk + n;
+      const std::uint32_t own = within[piece].count[n];
+      std::copy(from, from + own, rows.data() + (list.first[i + 1] - own));
+      from += own;
+    }
+  });
+  for_chunks(across.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
+    for (const Across& a : across[piece])
+      rows[list.first[a.particle] + larger[a.particle].fetch_sub(1, std::memory_order_relaxed) - 1] = a.found;
+  });
+  list.partner.resize(rows.size());
+  list.quarter.resize(images ? rows.size() : 0);
+  for_chunks(count, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint64_t own = within[i / chunk].count[i % chunk];
+      // Threads have put them there in any order.
+      std::sort(rows.begin() + static_cast<std::ptrdiff_t>(list.first[i]),
+                rows.begin() + static_cast<std::ptrdiff_t>(list.first[i + 1] - own));
+      for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+        list.partner[k] = rows[k].partner();
+        if (images) list.quarter[k] = rows[k].quarter();
+      }
+    }
+  });
+}
 
 }  // namespace
 
-std::vector<Bins> bin_classes(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
+std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
                               const std::vector<Fraction>& positions) {
-  std::vector<Bins> bins;
+  std::vector<Grid> grids;
   for (const SizeClass& c : classes) {
     const double radii = 2 * c.largest_radius;
-    bins.push_back(sort_into_bins(edges, (1 + hair) * (radii + skin(radii)), positions, c.first, c.last));
+    grids.push_back(make_grid(edges, (1 + 2 * hair) * (radii + skin(radii)), positions, c.first, c.last));
   }
-  return bins;
+  return grids;
 }
 
-void find_pairs(const std::vector<Bins>& bins, const Triangle& edges, const std::vector<Fraction>& positions,
+void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<Fraction>& positions,
                 const std::vector<double>& radii, PairList& list) {
-  const std::size_t count = positions.size();
   list.edges = edges;
   list.reference = positions;
-  list.first.assign(count + 1, 0);
   const bool images = needs_images(list.classes, list.skin, edges);
-
-  std::vector<std::vector<Piece>> pieces(bins.size());
-  for (std::size_t c = 0; c < bins.size(); ++c) {
-    const std::vector<Binned>& seekers = bins[c].entries;
-    pieces[c].resize((seekers.size() + chunk - 1) / chunk);
-    for_chunks(seekers.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t number) {
-      Piece& piece = pieces[c][number];
-      std::vector<Neighbourhood> grids;
-      for (std::size_t larger = 0; larger <= c; ++larger) grids.emplace_back(bins[larger]);
-      for (std::size_t n = begin; n < end; ++n) {
-        const Binned& me = seekers[n];
-        const std::size_t start = piece.found.size();
-        const auto visit = [&](const Binned& other, const Vec3<double>& image) {
-          if (other.index > me.index || (other.index == me.index && !is_first_of_mirror(image))) return;
-          const Vec3<double> difference = me.fraction - other.fraction - image;
-          const Vec3<double> branch = edges * difference;
-          const double sum = radii[me.index] + radii[other.index];
-          const double reach = (1 + hair) * (sum + list.skin(sum));
-          if (dot(branch, branch) < reach * reach)
-            piece.found.push_back({other.index, difference, images ? quarters_of(difference) : Quarter{}});
-        };
-        for (Neighbourhood& grid : grids) grid.around(me.fraction, visit);
-        std::sort(piece.found.begin() + static_cast<std::ptrdiff_t>(start), piece.found.end(),
-                  [](const Found& a, const Found& b) {
-                    return std::tie(a.partner, a.difference.x, a.difference.y, a.difference.z) <
-                           std::tie(b.partner, b.difference.x, b.difference.y, b.difference.z);
-                  });
-        list.first[me.index + 1] = piece.found.size() - start;
-        piece.owners.emplace_back(me.index, piece.found.size());
-      }
-    });
-  }
-
-  for (std::size_t i = 0; i < count; ++i) list.first[i + 1] += list.first[i];
-  require(list.first[count] < std::numeric_limits<std::uint32_t>::max(), "rows of the list fit in 32 bits");
-  list.partner.resize(list.first[count]);
-  list.quarter.clear();
-  if (images) list.quarter.resize(list.first[count]);
-  for (std::vector<Piece>& row_of_pieces : pieces) {
-    for_chunks(row_of_pieces.size(), 1, [&](std::size_t number, std::size_t, std::size_t) {
-      const Piece& piece = row_of_pieces[number];
-      std::size_t next = 0;
-      for (const auto& [owner, end] : piece.owners) {
-        for (std::uint64_t k = list.first[owner]; next < end; ++next, ++k) {
-          list.partner[k] = piece.found[next].partner;
-          if (images) list.quarter[k] = piece.found[next].quarter;
-        }
-      }
-    });
-  }
+  const Nearness near(edges, radii, list.skin, images);
+  const auto across = find_across(grids, positions, edges, near, list);
+  const auto within = find_within(grids, positions, edges, near, list);
+  lay_out_rows(across, within, images, list);
   index_incoming(list);
 }
 

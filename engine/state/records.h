@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "engine/base/vec3.h"
@@ -75,6 +76,9 @@ struct Row<Real, true> {
   Vec3<Real> couple;  ///< normal x force; times minus the arm of a particle the torque on it [k_n d_s]
   Real minus_arm_j;   ///< lever arm of j, with a minus [d_s]
 };
+
+/// Whether a particle has a contact in this step. Several threads may say so at once, all the same.
+using Touched = std::atomic<std::uint8_t>;
 
 /// Tangential displacement of a contact, in a group of four.
 template <class Real>

@@ -15,6 +15,19 @@
 
 namespace furnas {
 
+/// What the pairs of the list answer in a step, and which particles have a contact at all.
+template <class Real, bool spins>
+struct Rows {
+  std::vector<Row<Real, spins>> row;  ///< one a pair of the list
+  std::vector<Touched> touched;       ///< one a particle; cleared again by who has read it
+
+  /// Rows of pairs that do not touch.
+  void clear(std::size_t pairs, std::size_t particles) {
+    row.assign(pairs, {});
+    if (touched.size() != particles) touched = std::vector<Touched>(particles);
+  }
+};
+
 /// What the pairs of the list remember from one step to the next.
 template <class Real>
 struct Memory {
@@ -41,7 +54,7 @@ struct State {
   std::vector<Particle<Real, Scene::spins>> particles;
   std::vector<Load<Real, Scene::spins>> loads;
   PairList pairs;
-  std::vector<Row<Real, Scene::spins>> rows;  ///< one a pair of the list
+  Rows<Real, Scene::spins> rows;
   Memory<Real> memory;
 
   std::vector<std::uint32_t> id;  ///< index of each place in the packing

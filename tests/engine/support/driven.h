@@ -44,7 +44,7 @@ class Driven {
     require(state_.pairs.rows() == start.size() * (start.size() - 1) / 2 && state_.pairs.quarter.empty(),
             "every pair is listed, once");
     state_.loads.resize(start.size());
-    state_.rows.resize(state_.pairs.rows());
+    state_.rows.clear(state_.pairs.rows(), start.size());
     state_.memory.clear(state_.pairs.rows(), Law::spins);
     for (const Contact& c : start.contacts) {
       state_.memory.touching[row(c.i, c.j)] = 1;
@@ -72,7 +72,7 @@ class Driven {
 
   /// Row of particle i and an earlier one.
   std::size_t row(std::size_t i, std::size_t j) const { return state_.pairs.first[i] + j; }
-  Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows[row(i, j)].force; }
+  Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows.row[row(i, j)].force; }
   Vec3<double> history(std::size_t i, std::size_t j) const {
     return state_.memory.springs[row(i, j)].history;
   }

@@ -1,0 +1,79 @@
+#include "engine/search/grid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+
+namespace furnas {
+namespace {
+
+/// Rows of the list tell apart thirty cells, and beyond a few nothing physical is left.
+void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
+  constexpr double most_cells = 30;
+  for (double height : heights) {
+    if (!std::isfinite(height) || !std::isfinite(cutoff))
+      throw NumericalFailure(
+          "the edges of the cell are no numbers any more: it is too light or pressed too hard");
+    if (cutoff >= most_cells * height)
+      throw NumericalFailure("the cell has collapsed: between two of its faces are " +
+                             std::to_string(height) + " d_s, and spheres meet at " + std::to_string(cutoff) +
+                             " d_s");
+  }
+}
+
+/// Bins along each edge: as narrow as the cutoff, but no more than two a particle in all.
+std::array<std::int64_t, 3> bins_along(const std::array<double, 3>& heights, double cutoff,
+                                       std::size_t particles) {
+  std::array<double, 3> wanted{};
+  double all = 1;
+  for (int axis = 0; axis < 3; ++axis) all *= wanted[axis] = std::max(heights[axis] / cutoff, 1.0);
+  const double most = 2 * static_cast<double>(particles) + 8;
+  const double shrink = all > most ? std::cbrt(most / all) : 1;
+  std::array<std::int64_t, 3> count{};
+  for (int axis = 0; axis < 3; ++axis)
+    count[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(wanted[axis] * shrink));
+  return count;
+}
+
+}  // namespace
+
+Grid make_grid(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
+               std::size_t first, std::size_t last) {
+  Grid grid;
+  const Vec3<double> height = heights(edges);
+  const std::array<double, 3> h{height.x, height.y, height.z};
+  refuse_collapsed(h, cutoff);
+  grid.cutoff = cutoff;
+  grid.count = bins_along(h, cutoff, last - first);
+
+  const auto bins = static_cast<std::size_t>(grid.count[0] * grid.count[1] * grid.count[2]);
+  std::vector<std::atomic<std::uint32_t>> next(bins + 1);
+  std::vector<std::uint32_t> bin_of(last - first);
+  grid.entries.resize(last - first + Grid::spare);
+  constexpr std::size_t chunk = 1024;
+  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const Vec3<double> s = in_unit_cell(positions[first + n]);
+      bin_of[n] = static_cast<std::uint32_t>(
+          grid.bin(grid.coordinate(0, s.x), grid.coordinate(1, s.y), grid.coordinate(2, s.z)));
+      next[bin_of[n]].fetch_add(1, std::memory_order_relaxed);
+    }
+  });
+  grid.start.resize(bins + 1);
+  std::uint32_t sum = 0;
+  for (std::size_t b = 0; b <= bins; ++b) {
+    grid.start[b] = sum;
+    sum += next[b].exchange(sum, std::memory_order_relaxed);
+  }
+  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t n = begin; n < end; ++n)
+      grid.entries[next[bin_of[n]].fetch_add(1, std::memory_order_relaxed)] = {
+          in_unit_cell(positions[first + n]), static_cast<std::uint32_t>(first + n)};
+  });
+  return grid;
+}
+
+}  // namespace furnas
