@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/sphere.h"
+
 namespace furnas {
 namespace {
 
@@ -51,20 +53,24 @@ double shrinkage_bound(const Triangle& now, const Triangle& then) {
 Skin next_skin(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,
                std::optional<double> fixed) {
   if (fixed) return {*fixed, 0};
-  constexpr double build_cost = 6;      // steps that building a list is worth
+  constexpr double build_cost = 60;     // needless pairs of a step that building a list is worth, a particle
   constexpr double first_fixed = 0.05;  // before anything is known [smallest diameter]
   constexpr double first_relative = 0.01;
-  const double diameter = 2 * list.classes.back().smallest_radius;
+  const SizeClass& smallest = list.classes.back();
+  const double diameter = 2 * smallest.smallest_radius;
   const auto life = static_cast<double>(step - list.step);
   if (list.builds == 0 || life <= 0) return {first_fixed * diameter, first_relative};
 
   const double motion = 2 * *std::max_element(travelled.begin(), travelled.end()) / life;  // [d_s/step]
   const double strain = std::max(shrunk, 0.0) / life;                                      // [1/step]
-  // A step costs build_cost/life + 3 life (motion/diameter + strain): needless pairs grow with the skin.
-  const double growth = 3 * (motion / diameter + strain) + 1e-12;
+  // A shell of thickness s around a sphere holds 12 filled s/d needless pairs, which grow with the life of
+  // the list.
+  const double filled = static_cast<double>(smallest.last - smallest.first) * sphere_volume(diameter / 2) /
+                        list.edges.determinant();
+  const double growth = 12 * filled * (motion / diameter + strain) + 1e-12;
   const double wanted = std::clamp(std::sqrt(build_cost / growth), 5.0, 5000.0);
   constexpr double margin = 1.2;
-  return {std::clamp(margin * motion * wanted, 1e-3 * diameter, 0.5 * diameter),
+  return {std::clamp(margin * motion * wanted, 1e-3 * diameter, diameter),
           std::clamp(margin * strain * wanted, 1e-4, 0.1)};
 }
 
