@@ -86,6 +86,7 @@ class DriftKernel {
   template <bool whole>
   HWY_INLINE void take_on(std::size_t i, std::size_t count, D& longest) const {
     Particle<Real, S::spins>* const here = loop_.particles + i;
+    if constexpr (whole) fetch_to_write(here + 3 * lanes, lanes);  // an address that is none does no harm
     Moving<S, whole> m(here, count);
     m.velocity = dragged(loop_.drag, m.velocity);
     m.kick(loop_.loads + i, count, R(0.5 * loop_.time_step));

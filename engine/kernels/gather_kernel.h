@@ -15,6 +15,11 @@ class GatherKernel {
     Vec3<R> diagonal[parts], shear[parts];
     for (std::size_t i = begin; i < end; i += batch) {
       const std::size_t stop = end - i < batch ? end : i + batch;
+      fetch(loop_.incoming_first[stop]);
+      if (stop + 3 * batch <= end) {
+        fetch_to_write(loop_.particles + stop + 2 * batch, batch);
+        fetch_to_write(loop_.loads + stop + 2 * batch, batch);
+      }
       for (std::size_t k = i; k < stop; ++k) sum_rows(k);
       for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t at = i + part * lanes;
@@ -62,6 +67,12 @@ class GatherKernel {
     const Tags d;
     for (std::size_t r = 0; r < registers; ++r)
       sum[r] = hn::Add(sum[r], hn::Mul(hn::LoadU(d, &row.force.x + r * width), factor(sign, minus_arm, r)));
+  }
+
+  /// Asks for the rows that come next; see TouchingRows::fetch.
+  HWY_INLINE void fetch(std::uint64_t incoming) const {
+    const std::uint64_t end = incoming + 4 * batch < loop_.rows_end ? incoming + 4 * batch : loop_.rows_end;
+    for (; incoming < end; ++incoming) __builtin_prefetch(loop_.rows + loop_.incoming[incoming]);
   }
 
   /// Most particles of a gas, and of the rattlers of a packing, touch nothing.

@@ -26,6 +26,7 @@ struct ContactLoop {
   const std::uint64_t* first;    ///< as in PairList
   const std::uint32_t* partner;  ///< as in PairList
   const Quarter* quarter;        ///< as in PairList; null while every nearest image is right
+  std::uint64_t rows_end;        ///< number of rows
   Row<Real, S::spins>* rows;
   Spring<Real>* springs;
   std::uint8_t* touching;
@@ -71,6 +72,7 @@ struct GatherLoop {
   const std::uint64_t* first;           ///< as in PairList
   const std::uint64_t* incoming_first;  ///< as in PairList
   const std::uint32_t* incoming;        ///< as in PairList
+  std::uint64_t rows_end;               ///< number of rows
   const Row<Real, S::spins>* rows;
   Touched* touched;  ///< cleared
   Load<Real, S::spins>* loads;

@@ -14,6 +14,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 using Tag = hn::ScalableTag<T>;
 
+/// Asks for the cache lines of some records that will be written soon, with the right to write them: another core may
+/// have read them.
+template <class Record>
+HWY_INLINE void fetch_to_write(const Record* records, std::size_t count) {
+  const char* const bytes = reinterpret_cast<const char*>(records);
+  for (std::size_t at = 0; at < count * sizeof(Record); at += 64) __builtin_prefetch(bytes + at, 1);
+}
+
 /// A truth value for each lane.
 template <class T>
 struct Truths {

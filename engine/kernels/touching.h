@@ -14,7 +14,7 @@
 namespace furnas::HWY_NAMESPACE {
 
 /// Candidates that are looked at together.
-constexpr std::size_t block = 256;
+constexpr std::size_t block = 128;
 constexpr std::size_t margin = 16;  ///< behind the last one, for whole lanes
 
 /// Contacts that were found, in the order of their rows.
@@ -64,6 +64,7 @@ class TouchingRows {
   /// those that touch to `found` and calls parted(i, j, row, branch) for those that did at the last step.
   template <class Parted>
   void look(std::size_t& i, std::uint64_t row, std::uint64_t stop, Found<Real>& found, Parted&& parted) {
+    fetch(stop, stop + block < loop_.rows_end ? stop + block : loop_.rows_end);
     take(i, row, stop);
     compare(row);
     note_changes(row, parted);
@@ -73,6 +74,18 @@ class TouchingRows {
  private:
   using D = Lanes<double>;
   static constexpr std::size_t lanes = D::count;
+
+  /// Asks for the records of the partners in rows that come next. They lie anywhere; without this the processor would
+  /// wait for each of those that another core has written, or that its caches are too small for.
+  void fetch(std::uint64_t row, std::uint64_t stop) const {
+    fetch_to_write(loop_.rows + row, stop - row);
+    if constexpr (S::spins) fetch_to_write(loop_.springs + row, stop - row);
+    for (; row < stop; ++row) {
+      const std::uint32_t j = loop_.partner[row];
+      __builtin_prefetch(loop_.particles + j);
+      if constexpr (S::Law::synchronized) __builtin_prefetch(loop_.loads + j);
+    }
+  }
 
   /// Differences of positions of the rows [row, stop).
   void take(std::size_t& i, std::uint64_t row, std::uint64_t stop) {

@@ -27,6 +27,7 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                                 pairs.first.data(),
                                 pairs.partner.data(),
                                 pairs.quarter.empty() ? nullptr : pairs.quarter.data(),
+                                pairs.rows(),
                                 rows.row.data(),
                                 memory.springs.data(),
                                 memory.touching.data(),

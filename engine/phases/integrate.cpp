@@ -55,6 +55,7 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                                pairs.first.data(),
                                pairs.incoming_first.data(),
                                pairs.incoming.data(),
+                               pairs.rows(),
                                rows.row.data(),
                                rows.touched.data(),
                                loads.data(),

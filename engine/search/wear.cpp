@@ -53,7 +53,7 @@ double shrinkage_bound(const Triangle& now, const Triangle& then) {
 Skin next_skin(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,
                std::optional<double> fixed) {
   if (fixed) return {*fixed, 0};
-  constexpr double build_cost = 60;     // needless pairs of a step that building a list is worth, a particle
+  constexpr double build_cost = 40;     // needless pairs of a step that building a list is worth, a particle
   constexpr double first_fixed = 0.05;  // before anything is known [smallest diameter]
   constexpr double first_relative = 0.01;
   const SizeClass& smallest = list.classes.back();
@@ -70,7 +70,7 @@ Skin next_skin(const PairList& list, const std::vector<double>& travelled, doubl
   const double growth = 12 * filled * (motion / diameter + strain) + 1e-12;
   const double wanted = std::clamp(std::sqrt(build_cost / growth), 5.0, 5000.0);
   constexpr double margin = 1.2;
-  return {std::clamp(margin * motion * wanted, 1e-3 * diameter, diameter),
+  return {std::clamp(margin * motion * wanted, 1e-3 * diameter, 0.5 * diameter),
           std::clamp(margin * strain * wanted, 1e-4, 0.1)};
 }
 

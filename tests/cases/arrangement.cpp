@@ -118,6 +118,7 @@ Case case_of(const Arrangement& a, const std::string& file) {
   c.compaction.cell = "fixed";
   c.compute.skin = a.skin / 100.0;
   c.compute.threads = 1;
+  c.compute.precision = "double";
   c.stop.steps = std::max(a.steps, 1);
   c.output.picture = "none";
   return c;

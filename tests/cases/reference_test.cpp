@@ -41,7 +41,8 @@ std::unique_ptr<Simulation> simulation_of(const Reference& r) {
                            "\n[compaction]\npressure = 1e-3\ncell = \"" + (fixed ? "fixed" : "triclinic") +
                            "\"\ntime_step_absolute = 0.032415\n" +
                            "inertia_absolute = " + std::to_string(9 * (packing.size() + 1)) + "\n";
-  const Case c = parse_case(text, "reference");
+  Case c = parse_case(text, "reference");
+  c.compute.precision = "double";
   const Packing from = start_of(c);
   return make_simulation(model_of(c, from), from, 2);
 }

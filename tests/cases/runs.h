@@ -42,6 +42,7 @@ class Runs {
   static constexpr const char* soft_case = R"([mixture]
 large = 100
 start_fraction = 0.2
+seed = 2
 [contact]
 friction = 0.3
 [compaction]

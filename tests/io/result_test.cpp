@@ -81,7 +81,7 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["time_step"], 0.032415);
   EXPECT_EQ(json["law"], "hooke_synchronized");
   EXPECT_EQ(json["friction"], 0.3);
-  EXPECT_EQ(json["precision"], "double");
+  EXPECT_EQ(json["precision"], "mixed");
   EXPECT_EQ(json["steps"], 123456);
   EXPECT_EQ(json["time"], 4000.5);
   EXPECT_EQ(json["wall_seconds"], 2);
