@@ -19,6 +19,7 @@
   command(analyze)               \
   command(render)                \
   command(export)                \
+  command(replicate)             \
   command(import)                \
   command(info)                  \
   command(schema)
