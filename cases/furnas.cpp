@@ -22,6 +22,7 @@
   command(replicate)             \
   command(import)                \
   command(info)                  \
+  command(bench)                 \
   command(schema)
 // clang-format on
 

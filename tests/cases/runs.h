@@ -18,6 +18,7 @@ Command render_command();
 Command export_command();
 Command import_command();
 Command replicate_command();
+Command bench_command();
 
 /// What a command answered.
 struct Answer {
@@ -29,7 +30,7 @@ struct Answer {
 inline Answer furnas(const std::vector<std::string>& arguments) {
   const std::vector<Command> commands = {
       check_command(),  run_command(),    resume_command(), analyze_command(),   certify_command(),
-      render_command(), export_command(), import_command(), replicate_command()};
+      render_command(), export_command(), import_command(), replicate_command(), bench_command()};
   std::ostringstream out;
   std::ostringstream err;
   const ExitCode code = run_program(commands, arguments, {out, err});
