@@ -7,7 +7,7 @@ namespace furnas {
 
 /// A case file of cases/, as it stood when the program was built.
 struct CaseTemplate {
-  std::string_view file;  ///< its name, without folder and ".toml"
+  std::string_view file;  ///< its path from cases/, without ".toml"
   std::string_view text;
 };
 

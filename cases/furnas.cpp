@@ -19,8 +19,10 @@
   command(analyze)               \
   command(render)                \
   command(export)                \
+  command(replicate)             \
   command(import)                \
   command(info)                  \
+  command(bench)                 \
   command(schema)
 // clang-format on
 

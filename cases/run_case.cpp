@@ -18,7 +18,9 @@
 #include "engine/events/limits.h"
 #include "engine/events/still_rattlers.h"
 #include "engine/state/fingerprint.h"
+#include "engine/state/validate.h"
 #include "io/atomic_file.h"
+#include "io/case_check.h"
 #include "io/case_file.h"
 #include "io/manifest.h"
 #include "io/outputs.h"
@@ -103,6 +105,26 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
 }
 
 }  // namespace
+
+RunOrder order_to_run(const Case& c) {
+  RunOrder order;
+  order.resolved_case = c;
+  order.start = start_of(c);
+  validate(order.start);
+  return order;
+}
+
+RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes) {
+  Checkpoint checkpoint = Checkpoints::read_newest(folder);
+  RunOrder order;
+  order.resolved_case = parse_case(checkpoint.case_text, folder.string() + " (checkpoint)", changes);
+  validate(order.resolved_case);
+  order.folder = folder;
+  order.start = std::move(checkpoint.packing);
+  order.reached = resting_states_of(checkpoint);
+  order.window = window_of(checkpoint);
+  return order;
+}
 
 ExitCode exit_code_of(Verdict verdict) {
   switch (verdict) {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "cases/commands/command.h"
 #include "io/case.h"
@@ -19,6 +21,12 @@ struct RunOrder {
   std::deque<RestWatch::Look> window;  ///< likewise
   std::optional<std::chrono::seconds> walltime;
 };
+
+/// The order to run a valid case from its start; the folder is still to be named. Throws InputError.
+RunOrder order_to_run(const Case& c);
+
+/// The order to go on with the run in `folder`, with some keys of its case changed. Throws InputError.
+RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes);
 
 /// Runs a case to its verdict, writes the folder of the run and prints what came out.
 ExitCode run_case(const RunOrder& order, Console console);

@@ -1,10 +1,11 @@
 # Writes the case files of cases/ and the facts of the build into two sources of the room `cases`.
 
-file(GLOB furnas_case_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.toml)
+file(GLOB_RECURSE furnas_case_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.toml)
 set(furnas_case_entries "")
 foreach(case_file IN LISTS furnas_case_files)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${case_file})
-  cmake_path(GET case_file STEM case_name)
+  cmake_path(RELATIVE_PATH case_file BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/cases OUTPUT_VARIABLE case_name)
+  cmake_path(REMOVE_EXTENSION case_name)
   file(READ ${case_file} case_text)
   string(APPEND furnas_case_entries "    {\"${case_name}\", R\"furnas(${case_text})furnas\"},\n")
 endforeach()

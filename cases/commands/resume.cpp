@@ -1,11 +1,8 @@
 #include <memory>
 
 #include "cases/commands/command.h"
-#include "cases/recording.h"
 #include "cases/run_case.h"
 #include "cases/run_folder.h"
-#include "io/case_check.h"
-#include "io/case_file.h"
 
 namespace furnas {
 namespace {
@@ -32,18 +29,11 @@ Command resume_command() {
     app.add_option("--steps", options->steps, "stop.steps, to give a spent budget more");
   };
   command.run = [options](Console console) {
-    Checkpoint checkpoint = Checkpoints::read_newest(options->folder);
     std::vector<std::string> set;
     if (options->threads) set.push_back("compute.threads=" + std::to_string(*options->threads));
     if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
-    RunOrder order;
-    order.resolved_case = parse_case(checkpoint.case_text, options->folder + " (checkpoint)", set);
-    validate(order.resolved_case);
+    RunOrder order = order_to_resume(options->folder, set);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
-    order.folder = options->folder;
-    order.start = std::move(checkpoint.packing);
-    order.reached = resting_states_of(checkpoint);
-    order.window = window_of(checkpoint);
     return run_case(order, console);
   };
   return command;

@@ -8,9 +8,7 @@
 #include "cases/preflight.h"
 #include "cases/run_case.h"
 #include "cases/run_folder.h"
-#include "cases/scenario.h"
 #include "engine/base/require.h"
-#include "engine/state/validate.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
 
@@ -46,17 +44,17 @@ Command run_command() {
     std::vector<std::string> set = options->set;
     if (options->threads) set.push_back(fmt::format("compute.threads={}", *options->threads));
     if (options->seed) set.push_back(fmt::format("mixture.seed={}", *options->seed));
-    RunOrder order;
-    order.resolved_case = read_case(options->file, set);
-    validate(order.resolved_case);
-    if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
-    const Preflight preflight = check_case(order.resolved_case);
+    const Case c = read_case(options->file, set);
+    validate(c);
+    const auto walltime =
+        options->walltime.empty() ? std::nullopt : std::optional(parse_duration(options->walltime));
+    const Preflight preflight = check_case(c);
     if (!preflight.refusal.empty()) {
       console.err << "furnas: refused: " << preflight.refusal << '\n';
       return ExitCode::refused;
     }
-    order.start = start_of(order.resolved_case);
-    validate(order.start);
+    RunOrder order = order_to_run(c);
+    order.walltime = walltime;
     order.folder = create_run_folder(options->out, options->file);
     return run_case(order, console);
   };

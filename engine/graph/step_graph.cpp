@@ -3,6 +3,7 @@
 #include <tbb/flow_graph.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ostream>
 
 namespace furnas {
@@ -33,7 +34,7 @@ bool StepGraph::conflict(const Phase& earlier, const Phase& later) {
 
 void StepGraph::add(std::string title, const bool* flag, std::vector<Access> accesses,
                     std::function<void()> run) {
-  Phase phase{std::move(title), flag, std::move(accesses), std::move(run), {}};
+  Phase phase{std::move(title), flag, std::move(accesses), std::move(run), {}, nullptr};
   // An edge that follows from others is left out: the nearest conflicts come first, and what they wait
   // for is covered.
   std::vector<bool> covered(phases_.size(), false);
@@ -49,19 +50,25 @@ void StepGraph::add(std::string title, const bool* flag, std::vector<Access> acc
   flow_.reset();
 }
 
+void StepGraph::run(const Phase& phase) {
+  if (phase.flag && !*phase.flag) return;
+  if (!phase.time) return phase.run();
+  const auto begin = std::chrono::steady_clock::now();
+  phase.run();
+  phase.time->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ++phase.time->runs;
+}
+
 void StepGraph::run_in_order() {
-  for (const Phase& phase : phases_)
-    if (!phase.flag || *phase.flag) phase.run();
+  for (const Phase& phase : phases_) run(phase);
 }
 
 void StepGraph::run_as_graph() {
   if (!flow_) {
     flow_ = std::make_unique<Flow>();
     for (const Phase& phase : phases_) {
-      flow_->nodes.push_back(
-          std::make_unique<Flow::Node>(flow_->graph, [&phase](const tbb::flow::continue_msg&) {
-            if (!phase.flag || *phase.flag) phase.run();
-          }));
+      flow_->nodes.push_back(std::make_unique<Flow::Node>(
+          flow_->graph, [&phase](const tbb::flow::continue_msg&) { run(phase); }));
       for (std::size_t before : phase.waits_for)
         tbb::flow::make_edge(*flow_->nodes[before], *flow_->nodes.back());
       if (phase.waits_for.empty()) flow_->roots.push_back(flow_->nodes.back().get());
@@ -74,6 +81,11 @@ void StepGraph::run_as_graph() {
     flow_.reset();  // nodes may hold half-counted messages
     throw;
   }
+}
+
+void StepGraph::keep_times(std::vector<PhaseTime>* times) const {
+  if (times) times->assign(phases_.size(), {});
+  for (std::size_t k = 0; k < phases_.size(); ++k) phases_[k].time = times ? &(*times)[k] : nullptr;
 }
 
 std::vector<std::string> StepGraph::titles() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace furnas {
+
+/// What a phase has taken so far.
+struct PhaseTime {
+  double seconds{};     ///< wall time
+  std::int64_t runs{};  ///< times that it ran
+};
 
 /// The phases of a timestep in order, and the oneTBB flow graph that follows from what they touch.
 ///
@@ -50,6 +57,11 @@ class StepGraph {
   /// One step as a flow graph in the task arena of the caller.
   void run_as_graph();
 
+  /// From now on keeps the time of each phase in `times`, one entry a phase in order, from zero; with nothing
+  /// it keeps none, as at first. Time is no part of the step: a graph that may only be looked at can be
+  /// timed.
+  void keep_times(std::vector<PhaseTime>* times) const;
+
   /// The drawing of the step in the language of Graphviz.
   void write_dot(std::ostream& out) const;
 
@@ -74,6 +86,7 @@ class StepGraph {
     std::vector<Access> accesses;
     std::function<void()> run;
     std::vector<std::size_t> waits_for;
+    mutable PhaseTime* time;  ///< where its time is kept, if it is
   };
   struct Name {
     Range range;
@@ -95,6 +108,7 @@ class StepGraph {
 
   static bool overlap(const Range& a, const Range& b);
   static bool conflict(const Phase& earlier, const Phase& later);
+  static void run(const Phase& phase);
   void add(std::string title, const bool* flag, std::vector<Access> accesses, std::function<void()> run);
   std::string name_of(const Range& range) const;
 

@@ -82,7 +82,7 @@ TEST_F(Commands, NewRefusesUnknownTemplatesAndPlaces) {
 
 TEST_F(Commands, TemplatesAreTheCaseFiles) {
   std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(FURNAS_SOURCE_DIR) / "cases"))
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(FURNAS_SOURCE_DIR) / "cases"))
     if (entry.path().extension() == ".toml") ++files;
   EXPECT_EQ(case_templates().size(), files);
   for (const CaseTemplate& known : case_templates()) {

@@ -51,6 +51,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"tests/engine", {"engine"}},
     {"tests/io", {"engine", "io"}},
     {"tests/viz", {"engine", "io", "viz"}},
+    {"tests/benchmarks", {"engine", "io"}},
     {"tests/cases", {"engine", "io", "viz", "cases", "tests/engine", "tests/io"}},
 };
 

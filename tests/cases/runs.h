@@ -17,6 +17,8 @@ Command certify_command();
 Command render_command();
 Command export_command();
 Command import_command();
+Command replicate_command();
+Command bench_command();
 
 /// What a command answered.
 struct Answer {
@@ -26,9 +28,9 @@ struct Answer {
 
 /// Runs a command of the program in this process.
 inline Answer furnas(const std::vector<std::string>& arguments) {
-  const std::vector<Command> commands = {check_command(),   run_command(),     resume_command(),
-                                         analyze_command(), certify_command(), render_command(),
-                                         export_command(),  import_command()};
+  const std::vector<Command> commands = {
+      check_command(),  run_command(),    resume_command(), analyze_command(),   certify_command(),
+      render_command(), export_command(), import_command(), replicate_command(), bench_command()};
   std::ostringstream out;
   std::ostringstream err;
   const ExitCode code = run_program(commands, arguments, {out, err});

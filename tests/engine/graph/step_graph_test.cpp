@@ -125,6 +125,29 @@ TEST(StepGraph, AGatedPhaseRunsWhenItsFlagIsSetAtItsTurn) {
   });
 }
 
+TEST(StepGraph, KeepsTheTimeOfEachPhaseWhenAsked) {
+  bool open = false;
+  int runs = 0;
+  StepGraph step;
+  step.phase(
+      "sleep", +[](int&) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }, runs);
+  step.phase_when(open, "gated", increment, runs);
+  std::vector<PhaseTime> times{{1, 1}};
+  step.keep_times(&times);
+  step.run_in_order();
+  open = true;
+  tbb::task_arena(2).execute([&] { step.run_as_graph(); });
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_EQ(times[0].runs, 2);
+  EXPECT_EQ(times[1].runs, 1);
+  EXPECT_GE(times[0].seconds, 4e-3);
+  EXPECT_LT(times[1].seconds, times[0].seconds);
+  step.keep_times(nullptr);
+  step.run_in_order();
+  EXPECT_EQ(times[0].runs, 2);
+  EXPECT_EQ(runs, 2);
+}
+
 // The phase throws when its neighbour has already told their successor that it is done: a graph that
 // remembers that would start the successor too early in the next run.
 TEST(StepGraph, RunsAgainAfterAPhaseHasThrown) {

@@ -1,0 +1,62 @@
+#include "cases/bench/roofline.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "engine/base/parallel.h"
+
+namespace furnas {
+
+double bytes_per_particle_step(const Traffic& t) {
+  const auto real = static_cast<double>(t.real);
+  const double position = 24;  // three integers of 64 bits
+  const double record = position + real * (t.spins ? 9 : 5);
+  const double load = real * (t.spins ? 6 : 3);
+  const double row = real * (t.spins ? 7 : 3);
+  const double history = t.spins ? real * 3 : 0;
+  return 5 * record + 2 * load + t.pairs * (8 + 2 * row + 2 * history);
+}
+
+double triad_bandwidth(int threads, std::size_t bytes) {
+  constexpr int passes = 7;
+  constexpr std::size_t chunk = std::size_t{1} << 16;
+  const std::size_t count = bytes / sizeof(double);
+  // Untouched memory: each page goes where the thread is that fills it.
+  const auto array = [&] { return std::unique_ptr<double[]>(new double[count]); };
+  const auto a = array(), b = array(), c = array();
+  double best = 0;
+  Workers workers(threads);
+  workers.run([&] {
+    for_chunks(count, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+      std::fill(&a[begin], &a[end], 0.0);
+      std::fill(&b[begin], &b[end], 1.0);
+      std::fill(&c[begin], &c[end], 2.0);
+    });
+    for (int pass = 0; pass < passes; ++pass) {
+      const auto begun = std::chrono::steady_clock::now();
+      for_chunks(count, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t k = begin; k < end; ++k) a[k] = b[k] + 3.0 * c[k];
+      });
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begun;
+      best = std::max(best, 3 * sizeof(double) * static_cast<double>(count) / time.count());
+    }
+  });
+  return best;
+}
+
+std::size_t triad_size() {
+  const auto known = [](int name, long otherwise) {
+    const long value = ::sysconf(name);
+    return static_cast<std::size_t>(value > 0 ? value : otherwise);
+  };
+  // A virtual machine may name a cache that it shares with many others; so much is beyond any share of it.
+  constexpr std::size_t least = std::size_t{64} << 20, most = std::size_t{512} << 20;
+  const std::size_t cache = known(_SC_LEVEL3_CACHE_SIZE, 32L << 20);
+  const std::size_t available = known(_SC_AVPHYS_PAGES, 1L << 18) * known(_SC_PAGESIZE, 4096);
+  return std::min(std::clamp(4 * cache, least, most), available / 8);
+}
+
+}  // namespace furnas

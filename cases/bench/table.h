@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace furnas {
+
+/// Rows of text under names, for a person and for a program.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> names) : names_(std::move(names)) {}
+
+  /// Adds a row: a cell for each name.
+  void row(std::vector<std::string> cells);
+
+  /// The columns side by side, flush right, with the names above.
+  std::string aligned() const;
+
+  /// Comma-separated values with a line of names; no cell has a comma.
+  std::string csv() const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// The middle of some measurements and how far they reach.
+struct Spread {
+  double median{}, low{}, high{};
+};
+
+/// The spread of at least one measurement.
+Spread spread_of(std::vector<double> values);
+
+/// "12.3 (11.9 - 12.6)"
+std::string text_of(const Spread& spread);
+
+}  // namespace furnas

@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <ostream>
+
+#include "cases/bench/peers.h"
+#include "cases/bench/prepare.h"
+#include "cases/bench/roofline.h"
+#include "cases/bench/speed.h"
+#include "cases/commands/command.h"
+#include "cases/packing_source.h"
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of all subcommands, and which of them was asked for.
+struct Options {
+  CLI::App* speed = nullptr;
+  CLI::App* error = nullptr;
+  CLI::App* peers = nullptr;
+  CLI::App* prepare = nullptr;
+
+  PackingChoice packings;
+  ModelChoice model;
+  std::vector<double> friction{0.3};
+  std::vector<int> threads;
+  std::vector<std::string> precision{"double"};
+  SpeedOrder measure;
+  double triad_megabytes = 0;
+  std::string csv;
+  PeersOrder match;
+  PrepareOrder making;
+};
+
+/// One thread and all of them.
+std::vector<int> usual_threads() {
+  const int all = available_threads();
+  return all > 1 ? std::vector{1, all} : std::vector{1};
+}
+
+void declare_speed(CLI::App& bench, Options& o) {
+  o.speed = bench.add_subcommand("speed", "million particle-steps per second, and the error of the forces");
+  o.threads = usual_threads();
+  add_packing_choice(*o.speed, o.packings);
+  o.speed->add_option("--friction", o.friction, "contact.friction")->delimiter(',')->capture_default_str();
+  o.speed->add_option("--law", o.measure.law, "contact.law")->capture_default_str();
+  o.speed->add_option("--threads", o.threads, "numbers of threads")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  o.speed->add_option("--precision", o.precision, "compute.precision")->delimiter(',')->capture_default_str();
+  o.speed->add_option("--seconds", o.measure.seconds, "length of a repeat with the first threads")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  o.speed->add_option("--steps", o.measure.steps, "length of a repeat in steps, instead")
+      ->check(CLI::PositiveNumber);
+  o.speed->add_option("--repeats", o.measure.repeats, "repeats, in turn over threads and precisions")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  o.speed
+      ->add_option(
+          "--triad", o.triad_megabytes,
+          "megabytes of each array of the bandwidth test; default: four times the last cache, 512 at most")
+      ->check(CLI::PositiveNumber);
+  o.speed->add_option("--csv", o.csv, "file for all of it");
+}
+
+void declare_error(CLI::App& bench, Options& o) {
+  o.error = bench.add_subcommand("error", "how far the forces are from those in long double");
+  add_packing_choice(*o.error, o.packings);
+  o.error->add_option("--friction", o.friction, "contact.friction")->delimiter(',')->capture_default_str();
+  o.error->add_option("--law", o.measure.law, "contact.law")->capture_default_str();
+  o.error->add_option("--precision", o.precision, "compute.precision")->delimiter(',')->capture_default_str();
+  o.error->add_option("--csv", o.csv, "file for all of it");
+}
+
+void declare_peers(CLI::App& bench, Options& o) {
+  o.peers = bench.add_subcommand("peers", "the same packing through an installed LAMMPS, in turn");
+  o.match.ranks = available_threads();
+  add_packing_source(*o.peers, o.match.source);
+  o.peers->add_option("--steps", o.match.steps, "length of a run")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  o.peers->add_option("--pairs", o.match.pairs, "runs of each program")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  o.peers->add_option("--law", o.match.model.law, "law of furnas; LAMMPS has hooke_history")
+      ->capture_default_str();
+  o.peers->add_option("--friction", o.match.model.friction, "contact.friction of both")
+      ->capture_default_str();
+  o.peers->add_option("--precision", o.match.model.precision, "compute.precision of furnas")
+      ->capture_default_str();
+  o.peers->add_option("--ranks", o.match.ranks, "ranks of LAMMPS and threads of furnas")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  o.peers->add_option("--skins", o.match.skins, "skins that LAMMPS tries [d_s]")
+      ->delimiter(',')
+      ->capture_default_str();
+  o.peers->add_option("--out", o.match.folder, "folder for LAMMPS's files, kept; default: a passing one");
+}
+
+void declare_prepare(CLI::App& bench, Options& o) {
+  o.prepare = bench.add_subcommand("prepare", "make the packings that speed and error measure with");
+  o.making.ratios = benchmark_ratios();
+  o.prepare->add_option("--out", o.making.folder, "folder for them")->capture_default_str();
+  o.prepare->add_option("--ratios", o.making.ratios, "size ratios")->delimiter(',')->capture_default_str();
+  o.prepare
+      ->add_option("--sizes", o.making.sizes,
+                   "numbers of particles to write repeated packings of; speed repeats by itself")
+      ->delimiter(',');
+  o.prepare->add_option("--set", o.making.set, "change a key of the cases, e.g. compute.threads=2");
+  o.prepare->add_option("--walltime", o.making.walltime, "stop each case and save after e.g. 30m or 2h");
+}
+
+ExitCode speed(Options& o, Console console) {
+  std::map<int, double> bandwidth;
+  const std::size_t bytes =
+      o.triad_megabytes > 0 ? static_cast<std::size_t>(o.triad_megabytes * 1e6) : triad_size();
+  for (const int threads : o.threads) {
+    bandwidth[threads] = triad_bandwidth(threads, bytes);
+    console.out << fmt::format("triad {:.1f} GB/s with {} thread(s), arrays of {} MB\n",
+                               bandwidth[threads] / 1e9, threads, bytes / 1'000'000);
+  }
+  for (const std::string& precision : o.precision)
+    for (const int threads : o.threads) o.measure.variants.push_back({precision, threads});
+  std::vector<SpeedRow> rows;
+  std::vector<double> bounds;
+  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
+    for (const double friction : o.friction) {
+      o.measure.friction = friction;
+      for (SpeedRow& row : measure_speed(name, packing, o.measure)) {
+        console.err << fmt::format("{}, {} particles, {}, {} thread(s): {}\n", name, row.particles,
+                                   row.variant.precision, row.variant.threads, text_of(row.rate));
+        bounds.push_back(bandwidth[row.variant.threads]);
+        rows.push_back(std::move(row));
+      }
+    }
+  });
+  console.out << speed_table(rows, bounds).aligned() << '\n' << phase_lines(rows);
+  if (!o.csv.empty()) write_file(o.csv, speed_csv(rows, bounds).csv());
+  return ExitCode::done;
+}
+
+ExitCode error(Options& o, Console console) {
+  Table table({"packing", "N", "mu", "precision", "contacts", "median", "worst", "missed", "spurious"});
+  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
+    for (const double friction : o.friction)
+      for (const std::string& precision : o.precision) {
+        const ForceError e = force_error(model_for({o.measure.law, friction, precision}, packing), packing);
+        table.row({name, fmt::format("{}", packing.size()), fmt::format("{:g}", friction), precision,
+                   fmt::format("{}", e.contacts), fmt::format("{:.2e}", e.median),
+                   fmt::format("{:.2e}", e.largest), fmt::format("{}", e.missed),
+                   fmt::format("{}", e.spurious)});
+      }
+  });
+  console.out << table.aligned();
+  if (!o.csv.empty()) write_file(o.csv, table.csv());
+  return ExitCode::done;
+}
+
+ExitCode peers(Options& o, Console console) {
+  const bool passing = o.match.folder.empty();
+  if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
+  fs::create_directories(o.match.folder);
+  const ExitCode code = compare_with_lammps(o.match, console);
+  if (passing) fs::remove_all(o.match.folder);  // what went wrong stays to be looked at
+  return code;
+}
+
+}  // namespace
+
+Command bench_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      .name = "bench",
+      .does = "measure speed beside error, and against LAMMPS",
+      .example = "furnas bench prepare --ratios 1,5 && furnas bench speed --ratios 1,5 --sizes 1e4",
+      .setup =
+          [options](CLI::App& app) {
+            app.require_subcommand(1);
+            declare_prepare(app, *options);
+            declare_speed(app, *options);
+            declare_error(app, *options);
+            declare_peers(app, *options);
+          },
+      .run =
+          [options](Console console) {
+            if (options->prepare->parsed()) return prepare_packings(options->making, console);
+            if (options->speed->parsed()) return speed(*options, console);
+            if (options->error->parsed()) return error(*options, console);
+            return peers(*options, console);
+          },
+  };
+}
+
+}  // namespace furnas
