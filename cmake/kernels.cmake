@@ -16,3 +16,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   furnas_kernels(avx512 -march=skylake-avx512)
 endif()
 target_link_libraries(furnas_engine PRIVATE hwy::hwy)
+
+# The test of what the objects may define.
+function(furnas_test_kernels set)
+  add_test(NAME Kernels.DefineNothingThatOthersDefine/${set}
+           COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DOBJECT=$<TARGET_OBJECTS:furnas_kernels_${set}>
+                   -P ${PROJECT_SOURCE_DIR}/cmake/foreign_symbols.cmake)
+  set_tests_properties(Kernels.DefineNothingThatOthersDefine/${set} PROPERTIES LABELS commit)
+endfunction()

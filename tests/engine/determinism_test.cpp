@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "engine/kernels/kernels.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/same_packing.h"
 
@@ -13,7 +14,15 @@ struct Case {
   bool legacy;
   std::int64_t large;
   std::int64_t steps;
+  Precision precision = Precision::full;
 };
+
+/// The hasty model in the precision of a case.
+Model model_for(const Case& c) {
+  Model model = test::hasty_model(c.friction, c.legacy);
+  model.precision = c.precision;
+  return model;
+}
 
 struct Outcome {
   Packing end;
@@ -31,7 +40,7 @@ class Determinism : public ::testing::TestWithParam<Case> {
   }
 
   const Packing start = test::hasty_gas(GetParam().large);
-  const Model model = test::hasty_model(GetParam().friction, GetParam().legacy);
+  const Model model = model_for(GetParam());
   const std::int64_t steps = GetParam().steps;
 };
 
@@ -66,6 +75,19 @@ TEST_P(Determinism, TheSameBitsForAnyThreadsAndSchedule) {
     for (Schedule schedule : {Schedule::in_order, Schedule::as_graph})
       EXPECT_TRUE(test::same_packing(run(model, threads, schedule).end, expected))
           << threads << " threads, " << (schedule == Schedule::as_graph ? "as graph" : "in order");
+}
+
+TEST_P(Determinism, TheSameBitsOnEveryInstructionSet) {
+  struct Restore {
+    InstructionSet before = instruction_set();
+    ~Restore() { choose(before); }
+  } const restore;
+  const Packing expected = run(model).end;
+  for (InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
+    choose(set);
+    if (instruction_set() != set) continue;  // this processor lacks it
+    EXPECT_TRUE(test::same_packing(run(model, 2, Schedule::as_graph).end, expected)) << to_string(set);
+  }
 }
 
 TEST_P(Determinism, TheSameBitsForAnySkin) {
@@ -110,7 +132,10 @@ std::string name_of_case(const ::testing::TestParamInfo<Case>& test) { return te
 INSTANTIATE_TEST_SUITE_P(Gas, Determinism,
                          ::testing::Values(Case{"Smooth", 0, false, 20, 700},
                                            Case{"Rough", 0.3, false, 20, 700},
-                                           Case{"Legacy", 0.3, true, 20, 700}),
+                                           Case{"Legacy", 0.3, true, 20, 700},
+                                           Case{"SmoothMixed", 0, false, 20, 700, Precision::mixed},
+                                           Case{"RoughMixed", 0.3, false, 20, 700, Precision::mixed},
+                                           Case{"LegacyMixed", 0.3, true, 20, 700, Precision::mixed}),
                          name_of_case);
 INSTANTIATE_TEST_SUITE_P(Nightly, Determinism,
                          ::testing::Values(Case{"Smooth", 0, false, 60, 5000},
