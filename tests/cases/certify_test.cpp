@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "io/checkpoint.h"
+#include "io/formats.h"
 #include "tests/cases/runs.h"
 
 namespace furnas {
@@ -185,9 +186,19 @@ TEST(Certify, SaysWhatItCannotUse) {
   EXPECT_EQ(furnas({"certify", runs.path("none")}).code, ExitCode::bad_case);
   EXPECT_EQ(furnas({"certify", runs.path("empty")}).code, ExitCode::bad_case);
   Certified packing("0");
-  const Answer answer = packing.certify({"--out", runs.path("none")});
+  const Answer answer = packing.certify({"--out", runs.path("a.txt")});
   EXPECT_EQ(answer.code, ExitCode::bad_case);
-  EXPECT_THAT(answer.err, HasSubstr("none: no folder"));
+  EXPECT_THAT(answer.err, HasSubstr("cannot be made"));
+  write_packing(packing.packing(), "vtp", runs.path("a.vtp"));
+  EXPECT_THAT(furnas({"certify", runs.path("a.vtp")}).err, HasSubstr("no case in it"));
+}
+
+TEST(Certify, MakesTheFolderThatIsNamed) {
+  const Runs runs;
+  Certified packing("0");
+  EXPECT_EQ(packing.certify({"--out", runs.path("seen/here")}).code, ExitCode::done);
+  EXPECT_TRUE(fs::exists(runs.path("seen/here/certificate.json")));
+  EXPECT_FALSE(fs::exists(packing.path("certificate.json")));
 }
 
 // N 1000, as in the cases of the tree, and a mixture.
