@@ -128,7 +128,7 @@ Part stability_part(const Modes& modes, std::int64_t sliding) {
                    at_most("motions that cost none, beyond doubt", real(modes.unstable()), 0),
                    at_most("largest |K v - lambda v| [k_n]", modes.residual, 1e-8),
                    told("negative eigenvalues", real(modes.negative))};
-  bool sure = sliding == 0;
+  bool sure = modes.valid && sliding == 0;
   std::int64_t open = 0;
   for (std::size_t k = 0; k < modes.lowest.size(); ++k) {
     std::string name = "eigenvalue ";
