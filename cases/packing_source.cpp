@@ -1,17 +1,19 @@
 #include "cases/packing_source.h"
 
-#include <filesystem>
-
 #include "cases/recording.h"
+#include "engine/base/require.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
 #include "io/formats.h"
 
 namespace furnas {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 PackingSource source_from(Checkpoint checkpoint, const std::string& name) {
-  PackingSource source{std::move(checkpoint.packing), {}};
+  PackingSource source{std::move(checkpoint.packing), {}, resting_states_of(checkpoint)};
   if (!checkpoint.case_text.empty())
     source.of_case = parse_case(checkpoint.case_text, name + " (checkpoint)");
   return source;
@@ -20,13 +22,23 @@ PackingSource source_from(Checkpoint checkpoint, const std::string& name) {
 }  // namespace
 
 PackingSource packing_source(const std::string& name) {
-  if (std::filesystem::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
+  if (fs::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
   if (is_checkpoint(name)) return source_from(read_checkpoint(name), name);
-  return {read_packing(name), {}};
+  return {read_packing(name), {}, {}};
 }
 
 void add_packing_source(CLI::App& app, std::string& name) {
   app.add_option("DIR or FILE", name, "folder of a run, or a packing in any format")->required();
+}
+
+fs::path folder_about(const std::string& folder_or_file, const std::string& wanted) {
+  const fs::path source = folder_or_file;
+  const fs::path own = fs::is_directory(source) ? source : source.parent_path();
+  const fs::path folder = !wanted.empty() ? fs::path(wanted) : own.empty() ? fs::path(".") : own;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError("--out " + folder.string() + ": the folder cannot be made: " + error.message());
+  return folder;
 }
 
 Packing packing_from(const std::string& name) { return packing_source(name).packing; }

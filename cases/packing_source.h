@@ -1,18 +1,22 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "engine/events/at_rest.h"
 #include "engine/state/packing.h"
 #include "io/case.h"
 
 namespace furnas {
 
-/// A packing and, where it comes from a run, the run's case.
+/// A packing and, where it comes from a run, the run's case and how far the run has come.
 struct PackingSource {
   Packing packing;
   std::optional<Case> of_case;
+  std::vector<RestingState> reached;  ///< the pressures at which the run had come to rest
 };
 
 /// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
@@ -20,6 +24,10 @@ PackingSource packing_source(const std::string& folder_or_file);
 
 /// Declares the argument that names such a source, into `name`.
 void add_packing_source(CLI::App& app, std::string& name);
+
+/// Where files about a packing go: the folder `wanted`, made if it is missing, else that of the run, else
+/// that in which the packing's file lies. Throws InputError, also when a file stands in its place.
+std::filesystem::path folder_about(const std::string& folder_or_file, const std::string& wanted);
 
 /// The packing alone.
 Packing packing_from(const std::string& folder_or_file);

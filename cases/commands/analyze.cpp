@@ -56,18 +56,6 @@ AnalysisRecord analyze_source(const Options& options) {
   return record;
 }
 
-/// Where the files go: beside those of a run, else into a folder of their own.
-fs::path folder_for(const Options& options) {
-  if (!options.out.empty()) return options.out;
-  return fs::is_directory(options.source) ? fs::path(options.source) : fs::path("analysis");
-}
-
-void create_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError("--out " + folder.string() + ": the folder cannot be made: " + error.message());
-}
-
 /// Names of the files that were written.
 std::vector<std::string> write_files(const AnalysisRecord& record, const fs::path& folder, bool pictures) {
   std::vector<std::string> written;
@@ -163,7 +151,7 @@ Command analyze_command() {
   command.setup = [options](CLI::App& app) {
     AnalysisOptions& analysis = options->analysis;
     add_packing_source(app, options->source);
-    app.add_option("--out", options->out, "folder for the files; default: that of the run, or analysis");
+    app.add_option("--out", options->out, "folder for the files; default: that of the packing");
     app.add_option("--friction", options->friction,
                    "mu that tangential forces are measured against; default: the run's")
         ->check(CLI::Range(0.0, 1e6));
@@ -185,8 +173,7 @@ Command analyze_command() {
   };
   command.run = [options](Console console) {
     const AnalysisRecord record = analyze_source(*options);
-    const fs::path folder = folder_for(*options);
-    create_folder(folder);
+    const fs::path folder = folder_about(options->source, options->out);
     const std::vector<std::string> written = write_files(record, folder, !options->no_pictures);
     console.out << summary(record)
                 << fmt::format("files     {}: {}\n", folder.string(), fmt::join(written, " "));

@@ -5,17 +5,13 @@
 #include <ostream>
 
 #include "cases/commands/command.h"
-#include "cases/recording.h"
+#include "cases/packing_source.h"
 #include "cases/scenario.h"
 #include "engine/base/require.h"
-#include "io/case_check.h"
-#include "io/case_file.h"
 #include "io/certificate_file.h"
 
 namespace furnas {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
   std::string source;
@@ -27,13 +23,15 @@ struct Options {
 };
 
 /// What the case promised; the limit of the force balance is at least the loose one.
-CertificateTerms terms_of(const Case& c, std::size_t pressures_reached, const Options& options) {
+CertificateTerms terms_of(const PackingSource& source, const Options& options) {
+  const Case& c = *source.of_case;
   CertificateTerms terms;
   terms.springs.tangential = c.contact.tangential_stiffness;
   terms.springs.friction = c.contact.friction;
   terms.springs.arms_meet = c.contact.law != HookeHistory::name;
-  terms.freedom = model_of(c, Packing{}).barostat.freedom;
-  terms.pressure = c.compaction.pressure.at(std::min(pressures_reached, c.compaction.pressure.size() - 1));
+  terms.freedom = model_of(c, source.packing).barostat.freedom;
+  terms.pressure =
+      c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1));
   terms.least_contacts = backbone_threshold_of(c);
   const RestCriteria rest = rest_criteria_of(c);
   terms.tight_imbalance = rest.force_imbalance;
@@ -44,16 +42,12 @@ CertificateTerms terms_of(const Case& c, std::size_t pressures_reached, const Op
   return terms;
 }
 
-fs::path folder_for(const Options& options) {
-  if (!options.out.empty()) {
-    if (!fs::is_directory(options.out))
-      throw InputError("--out " + options.out + ": no folder; allowed: a folder that exists");
-    return options.out;
-  }
-  const fs::path source = options.source;
-  return fs::is_directory(source)       ? source
-         : source.parent_path().empty() ? fs::path(".")
-                                        : source.parent_path();
+/// The packing of a run; only a run tells what the packing should be.
+PackingSource run_source(const std::string& name) {
+  PackingSource source = packing_source(name);
+  if (!source.of_case)
+    throw InputError(name + ": no case in it; allowed: the folder of a run, or one of its checkpoints");
+  return source;
 }
 
 }  // namespace
@@ -83,13 +77,10 @@ Command certify_command() {
         ->capture_default_str();
   };
   command.run = [options](Console console) {
-    const bool run = fs::is_directory(options->source);
-    const Checkpoint checkpoint =
-        run ? Checkpoints::read_newest(options->source) : read_checkpoint(options->source);
-    const Case c = parse_case(checkpoint.case_text, options->source + " (checkpoint)");
-    const CertificateTerms terms = terms_of(c, resting_states_of(checkpoint).size(), *options);
-    const fs::path folder = folder_for(*options);
-    const Certificate certificate = certify(checkpoint.packing, terms);
+    const PackingSource source = run_source(options->source);
+    const CertificateTerms terms = terms_of(source, *options);
+    const std::filesystem::path folder = folder_about(options->source, options->out);
+    const Certificate certificate = certify(source.packing, terms);
     write_certificate(certificate, terms, options->source, folder);
     console.out << certificate_text(certificate, terms, options->source);
     return certificate.passed() ? ExitCode::done : ExitCode::not_certified;

@@ -124,17 +124,30 @@ Part stability_part(const Modes& modes, std::int64_t sliding) {
   Part part;
   part.name = "stability";
   part.asks = "Does every small motion of the backbone and its cell cost energy?";
-  part.proves = Proves::sufficient;
-  const double lowest = modes.lowest.empty() ? NAN : modes.lowest.front();
   part.findings = {at_least("stiffness factored and eigenvalues converged", modes.valid ? 1 : 0, 1),
-                   at_most("negative eigenvalues", real(modes.negative), 0),
-                   at_least("lowest eigenvalue besides translation [k_n]", lowest, flat_mode),
-                   at_most("largest |K v - lambda v| [k_n]", modes.residual, 1e-8)};
-  for (std::size_t k = 0; k < modes.lowest.size(); ++k)
-    part.findings.push_back(told("eigenvalue " + std::to_string(k + 1) + " [k_n]", modes.lowest[k]));
-  if (sliding > 0) {
-    part.proves = Proves::necessary;
+                   at_most("motions that cost none, beyond doubt", real(modes.unstable()), 0),
+                   at_most("largest |K v - lambda v| [k_n]", modes.residual, 1e-8),
+                   told("negative eigenvalues", real(modes.negative))};
+  bool sure = modes.valid && sliding == 0;
+  std::int64_t open = 0;
+  for (std::size_t k = 0; k < modes.lowest.size(); ++k) {
+    std::string name = "eigenvalue ";
+    name += std::to_string(k + 1);
+    part.findings.push_back(told(name + " besides translation [k_n]", modes.lowest[k]));
+    sure = sure && modes.lowest[k] > modes.doubt[k];
+    if (!modes.open(k)) continue;
+    ++open;
+    part.findings.push_back(told(name + ", in doubt for want of balance by [k_n]", modes.doubt[k]));
+  }
+  part.proves = sure ? Proves::sufficient : Proves::necessary;
+  if (sliding > 0)
     part.note = "At contacts that slide, F_t follows F_n; that part of the stiffness is left out.";
+  if (open > 0 && sliding > 0) part.note += " ";
+  if (open > 0) {
+    part.note += std::to_string(open);
+    part.note +=
+        " of these motions no spring resists, only the turning of forces as weak as the imbalance of their "
+        "spheres: whether they are stable cannot be said.";
   }
   return part;
 }

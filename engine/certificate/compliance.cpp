@@ -28,26 +28,68 @@ MatrixXd without_translation(MatrixXd motion, Index per_particle) {
 
 }  // namespace
 
-/// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T; that by Eigen for what is not definite.
+/// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T. Where it meets a pivot that is not
+/// positive it holds that unknown with k_n and begins again. The holds B B^T are taken back with what they
+/// answered: the matrix has as many negative eigenvalues as 1 - B^T (A + B B^T)^-1 B (Haynsworth), a few
+/// numbers, and its inverse follows (Woodbury). With more than a few holds, L D L^T by Eigen.
 class Compliance::Factor {
  public:
-  explicit Factor(const Sparse& matrix) {
+  explicit Factor(Sparse matrix) {
     definite_.cholmod().print = 0;
-    definite_.compute(matrix);
-    if (definite_.info() == Eigen::Success) return;
+    definite_.analyzePattern(matrix);
+    for (definite_.factorize(matrix); definite_.info() != Eigen::Success; definite_.factorize(matrix)) {
+      if (held_.size() == most_held) break;
+      held_.push_back(definite_.stopped_at());
+      matrix.coeffRef(held_.back(), held_.back()) += 1;
+    }
+    if (definite_.info() == Eigen::Success) {
+      take_back();
+      return;
+    }
+    for (const Index k : held_) matrix.coeffRef(k, k) -= 1;
     indefinite_ = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
   }
   bool valid() const {
-    return !indefinite_ || (indefinite_->info() == Eigen::Success && indefinite_->vectorD().allFinite());
+    if (indefinite_) return indefinite_->info() == Eigen::Success && indefinite_->vectorD().allFinite();
+    return answers_.allFinite() && rest_.allFinite();
   }
-  Index negative() const { return indefinite_ ? (indefinite_->vectorD().array() < 0).count() : 0; }
+  Index negative() const {
+    if (indefinite_) return (indefinite_->vectorD().array() < 0).count();
+    if (held_.empty()) return 0;
+    return (Eigen::SelfAdjointEigenSolver<MatrixXd>(rest_).eigenvalues().array() < 0).count();
+  }
   MatrixXd solve(const MatrixXd& b) const {
     if (indefinite_) return indefinite_->solve(b);
-    return definite_.solve(b);
+    MatrixXd x = definite_.solve(b);
+    if (!held_.empty()) x += answers_ * rest_.partialPivLu().solve(at_holds(x));
+    return x;
   }
 
  private:
-  Eigen::CholmodSupernodalLLT<Sparse> definite_;
+  static constexpr std::size_t most_held = 4;
+
+  /// That tells where it stopped.
+  struct Cholesky : Eigen::CholmodSupernodalLLT<Sparse> {
+    Index stopped_at() const {
+      return static_cast<const int*>(m_cholmodFactor->Perm)[m_cholmodFactor->minor];
+    }
+  };
+
+  MatrixXd at_holds(const MatrixXd& x) const { return x(held_, Eigen::all); }
+
+  void take_back() {
+    const auto holds = static_cast<Index>(held_.size());
+    MatrixXd forces = MatrixXd::Zero(definite_.rows(), holds);
+    for (Index k = 0; k < holds; ++k) forces(held_[static_cast<std::size_t>(k)], k) = 1;
+    answers_ = definite_.solve(forces);
+    rest_ = MatrixXd::Identity(holds, holds) - at_holds(answers_);
+    rest_ = (0.5 * (rest_ + rest_.transpose())).eval();
+  }
+
+  Cholesky definite_;
+  std::vector<Index> held_;  // unknowns; one that is held twice stands here twice
+  MatrixXd answers_;         // of all unknowns to a force on each hold
+  MatrixXd rest_;            // 1 - B^T (A + B B^T)^-1 B
   std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> indefinite_;
 };
 

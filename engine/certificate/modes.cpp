@@ -77,6 +77,13 @@ Modes softest_modes(const Stiffness& stiffness, const MatrixXd& strains, int cou
 
 }  // namespace
 
+std::int64_t Modes::unstable() const {
+  const auto seen = std::count_if(lowest.begin(), lowest.end(), [](double x) { return x < 0; });
+  std::int64_t count = std::max<std::int64_t>(negative - seen, 0);
+  for (std::size_t k = 0; k < lowest.size(); ++k) count += lowest[k] < flat_mode && !open(k);
+  return count;
+}
+
 MatrixXd free_strains(CellFreedom freedom) {
   switch (freedom) {
     case CellFreedom::triclinic:
@@ -112,6 +119,7 @@ Modes find_modes(const Stiffness& stiffness, CellFreedom freedom, int count) {
     const VectorXd v = vectors.col(k);
     const double value = modes.lowest[static_cast<std::size_t>(k)];
     modes.residual = std::max(modes.residual, (times(stiffness, strains, v) - value * v).norm());
+    modes.doubt.push_back(stiffness.doubt(motion_of(v, stiffness.unknowns(), strains)));
   }
   return modes;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +18,17 @@ struct Modes {
   bool valid{};                ///< the stiffness could be factored and the eigenvalues converged
   std::int64_t negative{};     ///< eigenvalues below 0, counted exactly
   std::vector<double> lowest;  ///< eigenvalues nearest to 0, without the translations, rising [k_n]
+  std::vector<double> doubt;   ///< how far each of them is in doubt, for want of balance [k_n]
   double residual{};           ///< largest |K v - lambda v| of them, |v| = 1, by contacts without a matrix
   StrainMatrix relaxed = StrainMatrix::Zero();  ///< what strains cost when the particles follow [k_n d_s^2]
+
+  /// Whether the k-th of them is flat or negative, and in doubt by more than that: held by no spring, and
+  /// whether its prestress holds it hangs on forces that are not known so well.
+  bool open(std::size_t k) const {
+    return lowest[k] < flat_mode && doubt[k] > std::max(std::abs(lowest[k]), flat_mode);
+  }
+  /// Those that are negative or flat beyond doubt; one that is not among the lowest is.
+  std::int64_t unstable() const;
 };
 
 /// The strains that a cell may make, as columns.

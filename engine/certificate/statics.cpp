@@ -2,25 +2,28 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace furnas {
 
-Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone) {
-  std::vector<Vec3<double>> force(network.radius.size());
-  std::vector<Vec3<double>> torque(network.radius.size());
+std::vector<Residual> residuals(const ContactNetwork& network) {
+  std::vector<Residual> of(network.radius.size());
   for (const StaticContact& c : network.contacts) {
     const Vec3<double> f = c.force();
     const Vec3<double> couple = cross(c.normal, c.tangential_force);
-    force[c.i] += f;
-    force[c.j] -= f;
-    torque[c.i] -= c.arm_i * couple;
-    torque[c.j] -= c.arm_j * couple;
+    of[c.i].force += f;
+    of[c.j].force -= f;
+    of[c.i].torque -= c.arm_i * couple;
+    of[c.j].torque -= c.arm_j * couple;
   }
+  return of;
+}
+
+Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone) {
+  const std::vector<Residual> residual = residuals(network);
   Imbalance found;
   for (const std::uint32_t k : backbone.particles) {
-    const double f = norm(force[k]) / network.mean_force;
-    const double t = norm(torque[k]) / (network.mean_force * network.radius[k]);
+    const double f = norm(residual[k].force) / network.mean_force;
+    const double t = norm(residual[k].torque) / (network.mean_force * network.radius[k]);
     found.mean_force += f;
     found.mean_torque += t;
     found.largest_force = std::max(found.largest_force, f);

@@ -1,11 +1,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "engine/certificate/backbone.h"
 #include "engine/certificate/contact_network.h"
 
 namespace furnas {
+
+/// What the contacts at rest leave on a particle.
+struct Residual {
+  Vec3<double> force;   ///< net force [k_n d_s]
+  Vec3<double> torque;  ///< net torque [k_n d_s^2]
+};
+
+/// Of each particle.
+std::vector<Residual> residuals(const ContactNetwork& network);
 
 /// How far a backbone is from rest, by its static forces alone.
 struct Imbalance {

@@ -1,6 +1,9 @@
 #include "engine/certificate/stiffness.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
+
+#include "engine/certificate/statics.h"
 
 namespace furnas {
 namespace {
@@ -29,6 +32,22 @@ Eigen::Matrix<double, 3, 6> affine(const Vector3d& r) {
   return g;
 }
 
+/// How i moves against j.
+Rows moved_of(const Vector3d& branch) {
+  Rows moved = Rows::Zero();
+  moved.block<3, 3>(0, 0).setIdentity();
+  moved.block<3, 3>(0, 6) = -Matrix3d::Identity();
+  moved.block<3, 6>(0, 12) = affine(branch);
+  return moved;
+}
+
+/// How i (0) or j (1) turns.
+Rows turn_of(Index which, double radius) {
+  Rows turn = Rows::Zero();
+  turn.block<3, 3>(0, 3 + 6 * which) = Matrix3d::Identity() / radius;
+  return turn;
+}
+
 }  // namespace
 
 Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, double pressure)
@@ -40,11 +59,16 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
   std::vector<Index> first(backbone.contains.size());
   for (std::size_t n = 0; n < backbone.particles.size(); ++n)
     first[backbone.particles[n]] = per_particle_ * static_cast<Index>(n);
+  const std::vector<Residual> residual = residuals(network);
+  const auto lacking = [&](std::uint32_t k) {
+    return norm(residual[k].force) + norm(residual[k].torque) / network.radius[k];
+  };
   for (const StaticContact* c : backbone.bonds) {
     const Vector3d friction = wide(c->tangential_force);
     bonds_.push_back({first[c->i], first[c->j], wide(c->branch), wide(c->normal), friction,
-                      c->sliding ? friction.normalized() : Vector3d::Zero(), c->normal_force, c->arm_i,
-                      c->arm_j, network.radius[c->i], network.radius[c->j]});
+                      c->sliding ? friction.normalized() : Vector3d::Zero(), c->normal_force,
+                      lacking(c->i) + lacking(c->j), c->arm_i, c->arm_j, network.radius[c->i],
+                      network.radius[c->j]});
   }
   if (network.frictional()) find_bridges(backbone);
 }
@@ -61,47 +85,55 @@ void Stiffness::find_bridges(const Backbone& backbone) {
           {static_cast<Index>(k) * per_particle_ + 3, (points[k][1] - points[k][0]).normalized()});
 }
 
-Stiffness::Local Stiffness::local(const Bond& b) const {
+Stiffness::Local Stiffness::elastic(const Bond& b) const {
+  const Rows moved = moved_of(b.branch);
   const Matrix3d along = b.normal * b.normal.transpose();
-  const Matrix3d across = Matrix3d::Identity() - along;
-  const double distance = b.branch.norm();
-  Rows moved = Rows::Zero();  // of i against j
-  moved.block<3, 3>(0, 0).setIdentity();
-  moved.block<3, 3>(0, 6) = -Matrix3d::Identity();
-  moved.block<3, 6>(0, 12) = affine(b.branch);
-  Local k = moved.transpose() * (along - b.push / distance * across) * moved;
+  Local k = moved.transpose() * along * moved;
+  if (per_particle_ == 3) return k;
+  const Rows slip =
+      (Matrix3d::Identity() - along) * moved +
+      crossing(b.normal) * (b.arm_i * turn_of(0, b.radius_i) + b.arm_j * turn_of(1, b.radius_j));
+  const Matrix3d held = springs_.tangential * (Matrix3d::Identity() - b.sliding * b.sliding.transpose());
+  return k + slip.transpose() * held * slip;
+}
+
+Stiffness::Local Stiffness::prestress(const Bond& b, double push, const Vector3d& friction) const {
+  const Rows moved = moved_of(b.branch);
+  const Rows tilt = (moved - b.normal * (b.normal.transpose() * moved)) / b.branch.norm();
+  Local k = -push * b.branch.norm() * tilt.transpose() * tilt;
   if (per_particle_ == 3) return k;
 
-  Rows turn_i = Rows::Zero();
-  Rows turn_j = Rows::Zero();
-  turn_i.block<3, 3>(0, 3) = Matrix3d::Identity() / b.radius_i;
-  turn_j.block<3, 3>(0, 9) = Matrix3d::Identity() / b.radius_j;
-  const Rows arms = b.arm_i * turn_i + b.arm_j * turn_j;
-  const Rows slip = across * moved + crossing(b.normal) * arms;
-  const Matrix3d held = springs_.tangential * (Matrix3d::Identity() - b.sliding * b.sliding.transpose());
-  k += slip.transpose() * held * slip;
-
   // Friction turns with the normal and with the spheres about it, and so do its torques.
+  const Rows turn_i = turn_of(0, b.radius_i);
+  const Rows turn_j = turn_of(1, b.radius_j);
   const Row stretch = b.normal.transpose() * moved;
-  const Rows tilt = across * moved / distance;
   const Row twist = 0.5 * b.normal.transpose() * (turn_i + turn_j);
-  const Vector3d couple = b.normal.cross(b.friction);
+  const Vector3d couple = b.normal.cross(friction);
   const double lengthening = springs_.arms_meet ? 0.5 : 0;  // of an arm with the distance
-  const Local turned = tilt.transpose() * b.friction * stretch -
+  const Rows arms = b.arm_i * turn_i + b.arm_j * turn_j;
+  const Local turned = tilt.transpose() * friction * stretch -
                        twist.transpose() * couple.transpose() * moved +
                        lengthening * (turn_i + turn_j).transpose() * couple * stretch -
-                       arms.transpose() * crossing(b.friction) * tilt - arms.transpose() * b.friction * twist;
+                       arms.transpose() * crossing(friction) * tilt - arms.transpose() * friction * twist;
   return k + 0.5 * (turned + turned.transpose());
+}
+
+Stiffness::Local Stiffness::local(const Bond& b) const {
+  return elastic(b) + prestress(b, b.push, b.friction);
+}
+
+Stiffness::Vector Stiffness::of_bond(const Bond& b, const Motion& motion) const {
+  Vector v = Vector::Zero();
+  v.segment(0, per_particle_) = motion.particles.segment(b.i, per_particle_);
+  v.segment(6, per_particle_) = motion.particles.segment(b.j, per_particle_);
+  v.tail<6>() = motion.strain;
+  return v;
 }
 
 Stiffness::Motion Stiffness::times(const Motion& motion) const {
   Motion answer{Eigen::VectorXd::Zero(unknowns_), of_volume() * motion.strain};
   for (const Bond& b : bonds_) {
-    Eigen::Matrix<double, 18, 1> v = Eigen::Matrix<double, 18, 1>::Zero();
-    v.segment(0, per_particle_) = motion.particles.segment(b.i, per_particle_);
-    v.segment(6, per_particle_) = motion.particles.segment(b.j, per_particle_);
-    v.tail<6>() = motion.strain;
-    const Eigen::Matrix<double, 18, 1> force = local(b) * v;
+    const Vector force = local(b) * of_bond(b, motion);
     answer.particles.segment(b.i, per_particle_) += force.segment(0, per_particle_);
     answer.particles.segment(b.j, per_particle_) += force.segment(6, per_particle_);
     answer.strain += force.tail<6>();
@@ -109,6 +141,20 @@ Stiffness::Motion Stiffness::times(const Motion& motion) const {
   for (const Bridge& b : bridges_)
     answer.particles.segment<3>(b.turn) += b.axis.dot(motion.particles.segment<3>(b.turn)) * b.axis;
   return answer;
+}
+
+double Stiffness::doubt(const Motion& motion) const {
+  double sum = 0;
+  for (const Bond& b : bonds_) {
+    const Vector v = of_bond(b, motion);
+    const auto energy = [&](double push, const Vector3d& friction) -> double {
+      return v.dot(prestress(b, push, friction) * v);
+    };
+    const Vector3d across = b.normal.unitOrthogonal();
+    sum += b.lacking *
+           std::hypot(energy(1, Vector3d::Zero()), energy(0, across), energy(0, b.normal.cross(across)));
+  }
+  return sum;
 }
 
 std::array<Index, 12> Stiffness::places(const Bond& b) const {

@@ -45,6 +45,11 @@ class Stiffness {
   /// Stiffness times motion, contact by contact, without a matrix.
   Motion times(const Motion& motion) const;
 
+  /// How far the energy of a motion is in doubt, because its spheres are not quite in balance: what the
+  /// prestress makes of it, were the force of each contact another by as much as its two spheres lack
+  /// [k_n d_s^2].
+  double doubt(const Motion& motion) const;
+
   /// The same as matrices: lower triangle among particles, particles by strain, strain by strain.
   Eigen::SparseMatrix<double> among_particles() const;
   Eigen::MatrixXd particles_by_strain() const;
@@ -58,6 +63,7 @@ class Stiffness {
     Eigen::Vector3d friction;  // F_t on i [k_n d_s]
     Eigen::Vector3d sliding;   // its direction at the Coulomb limit, or 0
     double push;               // F_n [k_n d_s]
+    double lacking;            // net forces of both spheres, and their net torques/R [k_n d_s]
     double arm_i, arm_j;       // [d_s]
     double radius_i, radius_j;
   };
@@ -67,7 +73,11 @@ class Stiffness {
   };
   void find_bridges(const Backbone& backbone);
   using Local = Eigen::Matrix<double, 18, 18>;  // u_i, turn_i, u_j, turn_j, e
+  using Vector = Eigen::Matrix<double, 18, 1>;
   Local local(const Bond& bond) const;
+  Local elastic(const Bond& bond) const;
+  Local prestress(const Bond& bond, double push, const Eigen::Vector3d& friction) const;
+  Vector of_bond(const Bond& bond, const Motion& motion) const;
   std::array<Eigen::Index, 12> places(const Bond& bond) const;
   StrainMatrix of_volume() const;
 

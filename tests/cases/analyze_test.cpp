@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases/packing_source.h"
+#include "engine/base/require.h"
 #include "io/checkpoint.h"
 #include "io/formats.h"
 #include "tests/cases/runs.h"
@@ -80,6 +81,18 @@ TEST(Analyze, OfACheckpointGoesIntoTheFolderThatIsNamed) {
   EXPECT_NEAR(analysis["pair_correlation"][0]["bin"].get<double>(), 0.1, 1e-12);
   EXPECT_THAT(content(runs.path("seen/here/forces.csv")), HasSubstr("normal,all,"));
   EXPECT_EQ(packing_source(runs.path("a/b.checkpoint")).of_case->contact.friction, 0.3);
+}
+
+TEST(FolderAbout, IsTheOneNamedOrThatOfThePacking) {
+  const Runs runs;
+  fs::create_directory(runs.path("run"));
+  EXPECT_EQ(folder_about(runs.path("run"), ""), runs.path("run"));
+  EXPECT_EQ(folder_about(runs.path("run/a.data"), ""), runs.path("run"));
+  EXPECT_EQ(folder_about("a.data", ""), ".");
+  EXPECT_EQ(folder_about(runs.path("run"), runs.path("new/here")), runs.path("new/here"));
+  EXPECT_TRUE(fs::is_directory(runs.path("new/here")));
+  write_file(runs.path("file"), "");
+  EXPECT_THROW(folder_about(runs.path("run"), runs.path("file")), InputError);
 }
 
 /// A file with positions alone: overlaps are its contacts, and it says so.

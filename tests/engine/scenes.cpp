@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/sphere.h"
 #include "engine/start/mixture.h"
 #include "tests/engine/support/symmetries.h"
 
@@ -58,8 +59,8 @@ Vec3<double> momentum(const Packing& p) {
 Vec3<double> angular_momentum(const Packing& p) {
   Vec3<double> sum;
   for (std::size_t k = 0; k < p.size(); ++k)
-    sum += p.mass[k] * cross(p.unwrapped(k), p.velocity[k]) +
-           (0.4 * p.mass[k] * p.radius[k] * p.radius[k]) * p.spin[k];
+    sum +=
+        p.mass[k] * cross(p.unwrapped(k), p.velocity[k]) + sphere_inertia(p.mass[k], p.radius[k]) * p.spin[k];
   return sum;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <numbers>
 #include <vector>
 
+#include "engine/base/sphere.h"
 #include "engine/model.h"
 #include "engine/simulation.h"
 #include "engine/state/packing.h"
@@ -20,8 +20,8 @@ struct Ball {
   double radius = 0.5;      ///< [d_s]
 };
 
-inline double mass_of(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
-inline double inertia_of(double radius) { return 0.4 * mass_of(radius) * radius * radius; }
+inline double mass_of(double radius) { return sphere_volume(radius); }
+inline double inertia_of(double radius) { return sphere_inertia(mass_of(radius), radius); }
 inline double reduced_mass(double a, double b) { return 1 / (1 / mass_of(a) + 1 / mass_of(b)); }
 
 inline Triangle cube(double length) { return {length, length, length, 0, 0, 0}; }

@@ -160,6 +160,34 @@ TEST(Stiffness, OfAContactThatSlidesIsAcrossItsFriction) {
   }
 }
 
+// Two spheres that press on each other and on nothing else lack all of their force f, and with friction their
+// torque arm F_t: each contact's force is in doubt by 2 (|f| + arm F_t/R). A force F along the normal makes
+// -F/r of a step across it, a force across the normal as much of a step in both directions.
+TEST(Stiffness, IsInDoubtByWhatItsSpheresLack) {
+  constexpr double r = 0.99;
+  constexpr double push = 1 - r;
+  for (const double friction : {0.0, 0.3}) {
+    Packing pair = packing_of(cube(10), {{.position = {5, 5, 5}}, {.position = {5 + r, 5, 5}}});
+    const double across = friction * push / 2;
+    Contact c;
+    c.i = 1, c.j = 0;
+    c.history = {0, across, 0};
+    pair.contacts = {c};
+    const Scene scene(pair, {.friction = friction});
+    const double lacking = 2 * (std::hypot(push, across) + r / 2 * across / 0.5);
+    const double expected = lacking * (friction > 0 ? std::sqrt(2) : 1) / r;
+    const Eigen::Index of_second = scene.stiffness.per_particle();
+    Motion step{Eigen::VectorXd::Zero(scene.stiffness.unknowns()), Strain::Zero()};
+    step.particles[of_second] = 1;
+    EXPECT_NEAR(scene.stiffness.doubt(step), 0, 1e-16) << "no force turns";
+    step.particles[of_second + 1] = 1;
+    // Places in a cell of 10 are known to 1e-15, which is 1e-13 of the overlap.
+    EXPECT_NEAR(scene.stiffness.doubt(step) / expected, 1, 1e-12);
+    step.particles *= 2;
+    EXPECT_NEAR(scene.stiffness.doubt(step) / expected, 4, 1e-12);
+  }
+}
+
 TEST(Stiffness, AsMatricesIsTheSame) {
   for (double friction : {0.0, 0.3}) {
     const Scene scene(jammed(), {.tangential = 0.8, .friction = friction});

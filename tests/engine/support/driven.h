@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
 #include "tests/engine/support/listed.h"
@@ -35,7 +36,7 @@ class Driven {
       p.inverse_mass = 1 / start.mass[k];
       if constexpr (Law::spins) {
         p.spin = start.spin[k];
-        p.inverse_inertia = 1 / (0.4 * start.mass[k] * start.radius[k] * start.radius[k]);
+        p.inverse_inertia = 1 / sphere_inertia(start.mass[k], start.radius[k]);
       }
       state_.particles.push_back(p);
     }

@@ -28,6 +28,19 @@ Vec3<double> difference(const Packing& p, const Contact& c) {
          Vec3<double>{double(c.image[0]), double(c.image[1]), double(c.image[2])};
 }
 
+/// Makes particle n of p what particle k of another packing is.
+void put(Packing& p, std::size_t n, const Packing& packing, std::size_t k) {
+  p.species[n] = packing.species[k];
+  p.radius[n] = packing.radius[k];
+  p.mass[n] = packing.mass[k];
+  p.fraction[n] = packing.fraction[k];
+  p.image[n] = packing.image[k];
+  p.velocity[n] = packing.velocity[k];
+  p.spin[n] = packing.spin[k];
+  p.force[n] = packing.force[k];
+  p.torque[n] = packing.torque[k];
+}
+
 Eigen::Matrix3d dense(const Triangle& h) {
   return Eigen::Matrix3d{{h.xx, h.xy, h.xz}, {0, h.yy, h.yz}, {0, 0, h.zz}};
 }
@@ -108,18 +121,7 @@ std::vector<Eigen::Matrix3i> signed_permutations() {
 
 Packing renumbered(const Packing& packing, const std::vector<std::uint32_t>& number) {
   Packing p = packing;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const std::uint32_t n = number[k];
-    p.species[n] = packing.species[k];
-    p.radius[n] = packing.radius[k];
-    p.mass[n] = packing.mass[k];
-    p.fraction[n] = packing.fraction[k];
-    p.image[n] = packing.image[k];
-    p.velocity[n] = packing.velocity[k];
-    p.spin[n] = packing.spin[k];
-    p.force[n] = packing.force[k];
-    p.torque[n] = packing.torque[k];
-  }
+  for (std::size_t k = 0; k < p.size(); ++k) put(p, number[k], packing, k);
   for (Contact& c : p.contacts) c.i = number[c.i], c.j = number[c.j];
   for (std::uint32_t& k : p.order) k = number[k];
   return p;
@@ -187,13 +189,8 @@ Packing doubled(const Packing& packing) {
   p.resize(copies * packing.size());
   for (std::size_t n = 0; n < p.size(); ++n) {
     const std::size_t k = n / copies;
-    p.species[n] = packing.species[k];
-    p.radius[n] = packing.radius[k];
-    p.mass[n] = packing.mass[k];
-    p.velocity[n] = packing.velocity[k];
-    p.spin[n] = packing.spin[k];
-    p.force[n] = packing.force[k];
-    p.torque[n] = packing.torque[k];
+    put(p, n, packing, k);
+    p.image[n] = {};
     const Fraction& s = packing.fraction[k];
     require(((s.x | s.y | s.z) & 1) == 0, "places that can be halved");
     const auto half = [&](std::uint64_t x, int axis) { return x / 2 + (std::uint64_t{n >> axis & 1} << 63); };
