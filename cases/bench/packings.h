@@ -42,7 +42,7 @@ void for_each_packing(const PackingChoice& choice, Console console,
 struct ModelChoice {
   std::string law = "hooke_synchronized";  ///< contact.law
   double friction = 0.3;                   ///< contact.friction
-  std::string precision = "double";        ///< compute.precision
+  std::string precision = "mixed";         ///< compute.precision
 };
 
 /// The model for a packing. Throws InputError for what no case may say.

@@ -7,17 +7,25 @@
 #include <memory>
 
 #include "engine/base/parallel.h"
+#include "engine/state/records.h"
 
 namespace furnas {
 
+namespace {
+
+template <class Real, bool spins>
+double bytes_moved(double pairs) {
+  const std::size_t of_particle = 5 * sizeof(Particle<Real, spins>) + 2 * sizeof(Load<Real, spins>);
+  const std::size_t of_pair =
+      2 * sizeof(std::uint32_t) + 2 * sizeof(Row<Real, spins>) + (spins ? 2 * sizeof(Spring<Real>) : 0);
+  return static_cast<double>(of_particle) + pairs * static_cast<double>(of_pair);
+}
+
+}  // namespace
+
 double bytes_per_particle_step(const Traffic& t) {
-  const auto real = static_cast<double>(t.real);
-  const double position = 24;  // three integers of 64 bits
-  const double record = position + real * (t.spins ? 9 : 5);
-  const double load = real * (t.spins ? 6 : 3);
-  const double row = real * (t.spins ? 7 : 3);
-  const double history = t.spins ? real * 3 : 0;
-  return 5 * record + 2 * load + t.pairs * (8 + 2 * row + 2 * history);
+  if (t.mixed) return t.spins ? bytes_moved<float, true>(t.pairs) : bytes_moved<float, false>(t.pairs);
+  return t.spins ? bytes_moved<double, true>(t.pairs) : bytes_moved<double, false>(t.pairs);
 }
 
 double triad_bandwidth(int threads, std::size_t bytes) {

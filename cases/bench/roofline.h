@@ -6,9 +6,9 @@ namespace furnas {
 
 /// What a particle-step must move when nothing of it stays in the cache between two phases.
 struct Traffic {
-  bool spins = true;    ///< with friction
-  double pairs{};       ///< candidate pairs per particle
-  std::size_t real{8};  ///< bytes of a number of the forces: 8, or 4 in mixed precision
+  bool spins = true;  ///< with friction
+  double pairs{};     ///< candidate pairs per particle
+  bool mixed = true;  ///< precision
 };
 
 /// Bytes that a particle-step moves, by counting passes over arrays: the particle's record is read by the

@@ -110,8 +110,8 @@ class SpeedMeasurement {
     SpeedRow& row = rows_[k];
     row.steps = steps_;
     row.rate = spread_of(rates_[k]);
-    const bool halved = row.variant.precision != "double";
-    row.moved = bytes_per_particle_step({has_friction(model(k)), row.pairs, halved ? 4U : 8U});
+    row.moved =
+        bytes_per_particle_step({has_friction(model(k)), row.pairs, model(k).precision == Precision::mixed});
     const auto known = errors_.find(row.variant.precision);
     row.error = known != errors_.end() ? known->second : force_error(model(k), packing_, row.variant.threads);
     errors_[row.variant.precision] = row.error;

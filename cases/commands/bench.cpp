@@ -29,10 +29,9 @@ struct Options {
   CLI::App* prepare = nullptr;
 
   PackingChoice packings;
-  ModelChoice model;
   std::vector<double> friction{0.3};
   std::vector<int> threads;
-  std::vector<std::string> precision{"double"};
+  std::vector<std::string> precision{"mixed"};
   SpeedOrder measure;
   double triad_megabytes = 0;
   std::string csv;

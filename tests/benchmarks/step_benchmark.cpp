@@ -24,7 +24,8 @@ void step(benchmark::State& state, const Model& model) {
   state.SetItemsProcessed(static_cast<std::int64_t>(particle_steps));
 }
 
-/// Each law with the list that stands for many steps, and with one that is built in every step.
+/// Each law in each precision, with the list that stands for many steps, and with one that is built in every
+/// step.
 const bool registered = [] {
   constexpr HookeConstants with_friction{.friction = 0.3}, without_friction{};
   const std::pair<const char*, AnyLaw> laws[] = {
@@ -33,10 +34,14 @@ const bool registered = [] {
       {"frictionless", Frictionless<false>{without_friction}},
   };
   for (const auto& [name, law] : laws) {
-    Model model = model_with(law);
-    benchmark::RegisterBenchmark(("step/standing_list/" + std::string(name)).c_str(), step, model);
-    model.skin = 0;
-    benchmark::RegisterBenchmark(("step/renewed_list/" + std::string(name)).c_str(), step, model);
+    for (const Precision precision : {Precision::mixed, Precision::full}) {
+      const std::string variant = std::string(name) + (precision == Precision::mixed ? "/mixed" : "/double");
+      Model model = model_with(law);
+      model.precision = precision;
+      benchmark::RegisterBenchmark(("step/standing_list/" + variant).c_str(), step, model);
+      model.skin = 0;
+      benchmark::RegisterBenchmark(("step/renewed_list/" + variant).c_str(), step, model);
+    }
   }
   return true;
 }();

@@ -49,21 +49,27 @@ TEST(Bench, PreparesOnceAndMeasures) {
   EXPECT_THAT(again.out, HasSubstr("alpha_1: finished already"));
   EXPECT_THAT(again.out, HasSubstr("alpha_1_480.checkpoint: there already"));
 
-  const Answer speed = furnas({"bench",      "speed", "--packings", runs.path("packings"),
-                               "--ratios",   "1",     "--sizes",    "60,480,10",
-                               "--friction", "0,0.3", "--threads",  "1,2",
-                               "--steps",    "20",    "--repeats",  "2",
-                               "--triad",    "1",     "--csv",      runs.path("speed.csv")});
+  const Answer speed = furnas({"bench",       "speed",
+                               "--packings",  runs.path("packings"),
+                               "--ratios",    "1",
+                               "--sizes",     "60,480,10",
+                               "--friction",  "0,0.3",
+                               "--threads",   "1,2",
+                               "--precision", "double,mixed",
+                               "--steps",     "20",
+                               "--repeats",   "2",
+                               "--triad",     "1",
+                               "--csv",       runs.path("speed.csv")});
   ASSERT_EQ(speed.code, ExitCode::done) << speed.err;
   EXPECT_THAT(speed.out, HasSubstr("contact forces"));
   EXPECT_THAT(speed.err, HasSubstr("no packing of 10 particles"));
   const std::string csv = content(runs.path("speed.csv"));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2 * 2);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2 * 2 * 2);
   EXPECT_THAT(csv, HasSubstr("\nalpha_1,480,0.3,double,2,20,"));
 
   const Answer error = furnas({"bench", "error", runs.path("packings/alpha_1_480.checkpoint")});
   ASSERT_EQ(error.code, ExitCode::done) << error.err;
-  EXPECT_THAT(error.out, HasSubstr("alpha_1_480  480  0.3     double"));
+  EXPECT_THAT(error.out, HasSubstr("alpha_1_480  480  0.3      mixed"));
 }
 
 TEST(Bench, SpeedIsThatOfTheSameMotionForEveryThread) {

@@ -31,6 +31,14 @@ TEST(ForceErrorTest, IsRoundingForEveryLawInDoublePrecision) {
     }
 }
 
+TEST(ForceErrorTest, IsThatOfSinglePrecisionWhenMixed) {
+  const Packing packing = moving_packing();
+  const ForceError error = force_error(model_for({"hooke_synchronized", 0.3, "mixed"}, packing), packing);
+  EXPECT_GT(error.median, 1e-10);
+  EXPECT_LT(error.median, 1e-6);
+  EXPECT_LT(error.mistaken(), 1e-3);
+}
+
 TEST(ForceErrorTest, SeesWhatIsWrong) {
   const Packing packing = moving_packing();
   const Model model = model_for({"hooke_synchronized", 0.3, "double"}, packing);
