@@ -11,6 +11,9 @@ enum class ExitCode {
   not_certified = 4,      ///< a part of the certificate failed
   budget_spent = 5,       ///< steps or wall time ran out; the run can be resumed
   numerical_failure = 6,  ///< the packing diverged; the last good state is saved
+  output_failed = 7,      ///< a file could not be written; the last checkpoint is good
+  folder_in_use = 8,      ///< another run works in the folder
+  out_of_memory = 9,      ///< the last checkpoint is good
   interrupted = 130,      ///< a signal stopped the run after a checkpoint
 };
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -33,6 +34,8 @@ FURNAS_COMMANDS(FURNAS_DECLARE)
 }  // namespace furnas
 
 int main(int count, char** values) {
+  // It asks a run to save; before there is one, and after it, it must not kill.
+  std::signal(SIGUSR1, SIG_IGN);
 #define FURNAS_CALL(verb) furnas::verb##_command(),
   const std::vector<furnas::Command> commands = {FURNAS_COMMANDS(FURNAS_CALL)};
 #undef FURNAS_CALL

@@ -1,7 +1,6 @@
 #include "cases/preflight.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +44,29 @@ Census census_of(const Case& c) {
   return n;
 }
 
-double memory_of_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+std::string refusal_of_memory(double needed, const MemoryLimit& limit, const Case& c) {
+  if (needed <= limit.bytes) return {};
+  return fmt::format(
+      "the run needs about {:.1f} GB and {} {:.1f} GB; take fewer particles (mixture.large = {})",
+      needed / 1e9, limit.source, limit.bytes / 1e9, c.mixture.large);
+}
+
+/// A run that cannot come to rest, or not within a lifetime.
+std::string refusal_of_time(double seconds_a_step, const Case& c) {
+  if (c.compaction.cell == "fixed") return {};  // ends with its steps and is meant to
+  if (c.contact.normal_damping == 0 && c.contact.friction == 0 && c.compaction.drag == 0)
+    return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and compaction.drag = "
+           "0, so "
+           "that the packing never comes to rest; give one of them a value, or take compaction.cell = "
+           "\"fixed\"";
+  constexpr double longest = 30 * 365.25 * 86400;  // [s]
+  const double shortest = seconds_a_step * static_cast<double>(std::min(c.stop.window, c.stop.steps));
+  if (shortest > longest)
+    return fmt::format(
+        "one window of stop.window = {} steps takes about {:.0f} years; take a shorter window or "
+        "fewer particles",
+        c.stop.window, shortest / (365.25 * 86400));
+  return {};
 }
 
 std::string pair_line(const char* name, double a, double b, const Case& c) {
@@ -79,7 +99,7 @@ double expected_memory(double particles, bool friction) {
   return program + particles * (friction ? with_friction : without_friction);
 }
 
-Preflight check_case(const Case& c) {
+Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const Census n = census_of(c);
   Preflight out;
   out.report +=
@@ -110,12 +130,13 @@ Preflight check_case(const Case& c) {
       duration_text(seconds(2e5)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
       threads, threads == 1 ? "" : "s");
 
-  const double available = memory_of_machine();
-  if (memory > available)
-    out.refusal = fmt::format(
-        "the run needs about {:.1f} GB and this machine has {:.1f} GB; take fewer particles "
-        "(mixture.large = {})",
-        memory / 1e9, available / 1e9, c.mixture.large);
+  const double windows = static_cast<double>(c.compaction.pressure.size());
+  if (c.compaction.cell != "fixed" &&
+      windows * static_cast<double>(c.stop.window) > static_cast<double>(c.stop.steps))
+    out.report += fmt::format("verdict   none: {} window{} of {} steps do not fit into the cap of {} steps\n",
+                              windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
+  out.refusal = refusal_of_memory(memory, limit, c);
+  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c);
   return out;
 }
 

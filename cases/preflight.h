@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cases/memory_limit.h"
 #include "io/case.h"
 
 namespace furnas {
@@ -13,7 +14,7 @@ struct Preflight {
 };
 
 /// Works out sizes, time scales, memory and expected time of a case without building its packing.
-Preflight check_case(const Case& c);
+Preflight check_case(const Case& c, const MemoryLimit& limit = memory_limit());
 
 /// Memory of a run at its peak, in bytes, for so many particles.
 double expected_memory(double particles, bool friction);

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <optional>
 #include <ostream>
 
 #include "cases/build_info.h"
+#include "cases/folder_lock.h"
 #include "engine/base/require.h"
+#include "io/atomic_file.h"
 
 namespace furnas {
 namespace {
@@ -51,15 +54,42 @@ std::optional<std::string> unknown_command(std::span<const Command> commands,
   return fmt::format("{} is no command; allowed: {}; see furnas --help", arguments.front(), known);
 }
 
+/// What the exit codes mean, for the help.
+constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0    done; of run and resume: jammed\n"
+    "  1    an error of the program\n"
+    "  2    the case, an option or a path cannot be used\n"
+    "  3    refused, because the case would fail\n"
+    "  4    a part of the certificate failed\n"
+    "  5    steps or wall time are spent; resume goes on\n"
+    "  6    the packing diverged; the last good state is saved\n"
+    "  7    a file cannot be written; the last checkpoint is good\n"
+    "  8    another run works in the folder\n"
+    "  9    out of memory; the last checkpoint is good\n"
+    "  130  stopped by a signal, and saved; resume goes on\n";
+
+/// Whether all that was printed has arrived, on a disk that may be full.
+ExitCode printed(ExitCode code, Console console) {
+  if (console.out.flush() || code != ExitCode::done) return code;
+  return complain(console, ExitCode::output_failed, "cannot write to the standard output");
+}
+
 ExitCode run_guarded(const Command& command, Console console) {
   try {
-    return command.run(console);
+    return printed(command.run(console), console);
   } catch (const InputError& error) {
     return complain(console, ExitCode::bad_case, error.what());
   } catch (const NumericalFailure& error) {
     return complain(console, ExitCode::numerical_failure, error.what());
+  } catch (const OutputError& error) {
+    return complain(console, ExitCode::output_failed, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(console, ExitCode::output_failed, error.what());
+  } catch (const FolderInUse& error) {
+    return complain(console, ExitCode::folder_in_use, error.what());
   } catch (const std::bad_alloc&) {
-    return complain(console, ExitCode::internal_error, "out of memory");
+    return complain(console, ExitCode::out_of_memory, "out of memory");
   } catch (const std::exception& error) {
     return complain(console, ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
   }
@@ -74,7 +104,7 @@ ExitCode run_program(std::span<const Command> commands, std::vector<std::string>
   app.set_version_flag("--version", fmt::format("furnas {}", build_info().version));
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.footer("furnas COMMAND --help tells more about a command.");
+  app.footer(fmt::format("furnas COMMAND --help tells more about a command.\n\n{}", exit_codes));
 
   const Command* chosen = nullptr;
   for (const Command& command : commands) {

@@ -2,122 +2,131 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include <algorithm>
+#include <iterator>
 
 #include "engine/analysis/faults.h"
 #include "engine/base/require.h"
+#include "io/atomic_file.h"
 #include "io/vtk_xml.h"
 
 namespace furnas {
 namespace {
 
 constexpr const char* checkpoint_names[] = {"a.checkpoint", "b.checkpoint"};
-constexpr const char* resting_states_key = "resting states: pressure phi step";
-constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
 
-std::string rows_of(const std::vector<RestingState>& reached) {
-  std::string rows;
-  for (const RestingState& s : reached) rows += fmt::format("{} {} {}\n", s.pressure, s.phi, s.step);
-  return rows;
+FileMark mark_of(const std::string& text) {
+  Hasher hasher;
+  hasher.add_bytes(text.data(), text.size());
+  return {text.size(), hasher.value()};
 }
 
-std::string rows_of(const std::deque<RestWatch::Look>& window) {
-  std::string rows;
-  for (const auto& [step, h, holds, loosely] : window)
-    rows += fmt::format("{} {} {} {} {} {} {} {:d} {:d}\n", step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, holds,
-                        loosely);
-  return rows;
-}
-
-/// What a checkpoint has under a key; empty if it is older than the key.
-std::istringstream extra(const Checkpoint& checkpoint, const char* key) {
-  const auto found = checkpoint.extras.find(key);
-  return std::istringstream(found == checkpoint.extras.end() ? std::string() : found->second);
+std::chrono::duration<double> since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::steady_clock::now() - begin;
 }
 
 }  // namespace
 
-RecordFrame::RecordFrame(std::filesystem::path folder, double time, std::int64_t period)
-    : folder_(std::move(folder)), period_(period) {
+void RecordHistory::recall(const std::string& memory) {
+  memory.empty() ? history_.emplace(path_) : history_.emplace(path_, parse_mark(memory));
+}
+
+std::optional<Verdict> RecordHistory::fire(Observation& now) {
+  history_->add(now.measures());
+  return {};
+}
+
+std::string RecordFrame::memory() {
+  return frames_.empty() ? std::string() : to_text(mark_of(frames_text(frames_)));
+}
+
+void RecordFrame::recall(const std::string& memory) {
   const auto collection = folder_ / "frames.pvd";
-  if (time > 0 && std::filesystem::exists(collection)) frames_ = read_frames(collection);
-  while (!frames_.empty() && frames_.back().time > time) frames_.pop_back();
+  frames_.clear();
+  if (memory.empty()) {
+    std::filesystem::remove(collection);
+  } else {
+    const FileMark mark = parse_mark(memory);
+    frames_ = read_frames(collection);
+    while (frames_text(frames_).size() > mark.bytes && !frames_.empty()) frames_.pop_back();
+    const std::string text = frames_text(frames_);
+    if (mark_of(text) != mark)
+      throw InputError(
+          collection.string() +
+          ": does not have the frames that the run had written when it was saved; put them back");
+    write_file(collection, text);
+  }
+  remove_later_frames();
+}
+
+/// Frames after the checkpoint are taken again; those that are not must not stay.
+void RecordFrame::remove_later_frames() const {
+  for (std::size_t k = frames_.size(); std::filesystem::remove(folder_ / frame_file(k));) ++k;
+}
+
+/// Not with all folders above it: if the folder of the run is gone, it must not come back empty.
+void RecordFrame::make_frames_folder() const {
+  const auto frames = (folder_ / frame_file(0)).parent_path();
+  std::error_code error;
+  std::filesystem::create_directory(frames, error);
+  if (error) throw OutputError("cannot make the folder " + frames.string() + ": " + error.message());
 }
 
 std::optional<Verdict> RecordFrame::fire(Observation& now) {
   const std::string file = frame_file(frames_.size());
-  std::filesystem::create_directories((folder_ / file).parent_path());
+  make_frames_folder();
   write_vtp(now.packing(), folder_ / file);
   frames_.push_back({now.packing().time, file});
-  write_frames(frames_, folder_ / "frames.pvd");
+  write_file(folder_ / "frames.pvd", frames_text(frames_));
   return {};
 }
 
-Checkpoints::Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {
-  const auto written = [&](const char* name) {
-    std::error_code missing;
-    return std::filesystem::last_write_time(folder_ / name, missing);  // the least time if it is missing
-  };
-  second_ = written(checkpoint_names[1]) < written(checkpoint_names[0]);
-}
+Checkpoints::Checkpoints(std::filesystem::path folder, const std::string& file, double seconds)
+    : folder_(std::move(folder)), second_(file == checkpoint_names[0]), longest_(seconds) {}
 
-bool Checkpoints::none() const {
-  return !std::filesystem::exists(folder_ / checkpoint_names[0]) &&
-         !std::filesystem::exists(folder_ / checkpoint_names[1]);
-}
-
-void Checkpoints::write(const Packing& packing, const std::string& case_text,
-                        const std::vector<RestingState>& reached, const RestWatch& watch) {
-  write_checkpoint(
-      {packing, case_text, {{resting_states_key, rows_of(reached)}, {window_key, rows_of(watch.window())}}},
-      folder_ / checkpoint_names[second_]);
+void Checkpoints::write(const Checkpoint& checkpoint) {
+  const auto begin = std::chrono::steady_clock::now();
+  write_checkpoint(checkpoint, folder_ / checkpoint_names[second_]);
   second_ = !second_;
+  longest_ = std::max(longest_, since(begin));
 }
 
-Checkpoint Checkpoints::read_newest(const std::filesystem::path& folder) {
-  std::optional<Checkpoint> newest;
-  std::string faults;
+bool Checkpoints::none(const std::filesystem::path& folder) {
+  return std::none_of(std::begin(checkpoint_names), std::end(checkpoint_names),
+                      [&](const char* name) { return std::filesystem::exists(folder / name); });
+}
+
+Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder) {
+  const auto begin = std::chrono::steady_clock::now();
+  Found newest;
   for (const char* name : checkpoint_names) {
     if (!std::filesystem::exists(folder / name)) continue;
     try {
       Checkpoint found = read_checkpoint(folder / name);
-      if (!newest || found.packing.step > newest->packing.step) newest = std::move(found);
+      if (!newest.file.empty() && found.packing.step <= newest.checkpoint.packing.step) continue;
+      newest.checkpoint = std::move(found);
+      newest.file = name;
     } catch (const InputError& error) {
-      faults += (faults.empty() ? "" : "; ") + std::string(error.what());
+      newest.fault += (newest.fault.empty() ? "" : "; ") + std::string(error.what());
     }
   }
-  if (newest) return *newest;
-  throw InputError(faults.empty() ? folder.string() + " holds no checkpoint; allowed: the folder of a run"
-                                  : faults);
+  newest.seconds = since(begin).count();
+  if (!newest.file.empty()) return newest;
+  throw InputError(newest.fault.empty()
+                       ? folder.string() + " holds no checkpoint; allowed: the folder of a run"
+                       : newest.fault);
 }
 
-std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
-  std::vector<RestingState> reached;
-  std::istringstream rows = extra(checkpoint, resting_states_key);
-  for (RestingState s; rows >> s.pressure >> s.phi >> s.step;) reached.push_back(s);
-  return reached;
-}
-
-std::deque<RestWatch::Look> window_of(const Checkpoint& checkpoint) {
-  std::deque<RestWatch::Look> window;
-  std::istringstream rows = extra(checkpoint, window_key);
-  RestWatch::Look look;
-  Triangle& h = look.edges;
-  while (rows >> look.step >> h.xx >> h.yy >> h.zz >> h.yz >> h.xz >> h.xy >> look.holds >>
-         look.holds_loosely)
-    window.push_back(look);
-  return window;
-}
-
-SaveCheckpoint::SaveCheckpoint(Checkpoints& checkpoints, std::string case_text,
-                               const std::vector<RestingState>& reached, const RestWatch& watch,
-                               double minutes, std::atomic<bool>& asked)
+SaveCheckpoint::SaveCheckpoint(Checkpoints& checkpoints, std::function<Checkpoint()> whole, double minutes,
+                               std::atomic<bool>& asked, std::atomic<bool>& attention)
     : checkpoints_(checkpoints),
-      case_text_(std::move(case_text)),
-      reached_(reached),
-      watch_(watch),
-      period_(std::chrono::duration<double, std::ratio<60>>(minutes)),
-      asked_(asked) {}
+      whole_(std::move(whole)),
+      period_(std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double, std::ratio<60>>(minutes))),
+      asked_(asked),
+      alarm_(attention) {
+  alarm_.set(last_ + period_);
+}
 
 bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >= period_; }
 
@@ -125,8 +134,9 @@ std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
   if (std::string fault = fault_of(now.packing(), now.simulation().model()); !fault.empty())
     return now.diverged(std::move(fault));
-  checkpoints_.write(now.packing(), case_text_, reached_, watch_);
+  checkpoints_.write(whole_());
   last_ = Clock::now();
+  alarm_.set(last_ + period_);
   return {};
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <map>
+#include <functional>
+#include <optional>
 #include <string>
 
-#include "engine/events/at_rest.h"
-#include "io/case.h"
+#include "cases/alarm.h"
+#include "cases/continuation.h"
+#include "engine/compaction.h"
 #include "io/checkpoint.h"
 #include "io/frames_pvd.h"
 #include "io/history.h"
@@ -16,29 +19,35 @@ namespace furnas {
 /// Adds a row to history.csv every so many steps.
 class RecordHistory final : public Event {
  public:
-  RecordHistory(const std::filesystem::path& folder, std::int64_t step, std::int64_t period)
-      : history_(folder / "history.csv", step), period_(period) {}
+  RecordHistory(const std::filesystem::path& folder, std::int64_t period)
+      : path_(folder / "history.csv"), period_(period) {}
   const char* name() const override { return "history"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, period_); }
-  std::optional<Verdict> fire(Observation& now) override {
-    history_.add(now.measures());
-    return {};
-  }
+  std::optional<Verdict> fire(Observation& now) override;
+  std::string memory() override { return to_text(history_->mark()); }
+  void recall(const std::string& memory) override;
 
  private:
-  History history_;
+  std::filesystem::path path_;
   std::int64_t period_;
+  std::optional<History> history_;  ///< from recall() on
 };
 
 /// Writes a frame for ParaView every so many steps and keeps frames.pvd in step.
 class RecordFrame final : public Event {
  public:
-  RecordFrame(std::filesystem::path folder, double time, std::int64_t period);
+  RecordFrame(std::filesystem::path folder, std::int64_t period)
+      : folder_(std::move(folder)), period_(period) {}
   const char* name() const override { return "frame"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, period_); }
   std::optional<Verdict> fire(Observation& now) override;
+  std::string memory() override;
+  void recall(const std::string& memory) override;
 
  private:
+  void remove_later_frames() const;
+  void make_frames_folder() const;
+
   std::filesystem::path folder_;
   std::int64_t period_;
   std::vector<SavedFrame> frames_;
@@ -47,36 +56,52 @@ class RecordFrame final : public Event {
 /// The two checkpoints of a run, written in turn, so that one good one always stays.
 class Checkpoints {
  public:
-  /// Begins with the older one of those that `folder` has.
-  explicit Checkpoints(std::filesystem::path folder);
+  /// The newest checkpoint of a folder that is good.
+  struct Found {
+    Checkpoint checkpoint;
+    std::string file;   ///< its name
+    std::string fault;  ///< what is wrong with the other one; empty if nothing is
+    double seconds{};   ///< that reading took
+  };
 
-  /// Whether there is none yet.
-  bool none() const;
+  /// For a run that begins.
+  explicit Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// For a run that goes on from the checkpoint `file`, which stays until the other one is written; reading
+  /// it took `seconds`.
+  Checkpoints(std::filesystem::path folder, const std::string& file, double seconds);
 
-  /// Writes over the older one.
-  void write(const Packing& packing, const std::string& case_text, const std::vector<RestingState>& reached,
-             const RestWatch& watch);
+  /// Writes over the older one; throws NumericalFailure for a packing that is none, which must not take the
+  /// place of a good one.
+  void write(const Checkpoint& checkpoint);
 
-  /// The newer of those that can be read; throws InputError naming both faults when none can.
-  static Checkpoint read_newest(const std::filesystem::path& folder);
+  /// The longest that a checkpoint has taken; before the first, what reading one took.
+  std::chrono::duration<double> longest() const { return longest_; }
+
+  /// Whether a folder has none yet.
+  static bool none(const std::filesystem::path& folder);
+
+  /// Throws InputError naming the faults of both when none can be read.
+  static Found find_newest(const std::filesystem::path& folder);
+  static Checkpoint read_newest(const std::filesystem::path& folder) {
+    return find_newest(folder).checkpoint;
+  }
 
  private:
   std::filesystem::path folder_;
   bool second_ = false;
+  std::chrono::duration<double> longest_{0};
 };
-
-/// The pressures at which a checkpointed run had come to rest.
-std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint);
-
-/// The looks of the last window of a checkpointed run.
-std::deque<RestWatch::Look> window_of(const Checkpoint& checkpoint);
 
 /// Saves a checkpoint every so many minutes, and when asked to; a state that has diverged it refuses, so that
 /// the last good one stays, and ends the run.
 class SaveCheckpoint final : public Event {
  public:
-  SaveCheckpoint(Checkpoints& checkpoints, std::string case_text, const std::vector<RestingState>& reached,
-                 const RestWatch& watch, double minutes, std::atomic<bool>& asked);
+  using Clock = std::chrono::steady_clock;
+
+  /// `whole` gives everything that the run needs to go on; `asked` is set from outside, `attention` by the
+  /// event itself when a checkpoint is due.
+  SaveCheckpoint(Checkpoints& checkpoints, std::function<Checkpoint()> whole, double minutes,
+                 std::atomic<bool>& asked, std::atomic<bool>& attention);
   const char* name() const override { return "checkpoint"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
@@ -84,14 +109,12 @@ class SaveCheckpoint final : public Event {
   std::optional<Verdict> fire(Observation& now) override;
 
  private:
-  using Clock = std::chrono::steady_clock;
   Checkpoints& checkpoints_;
-  std::string case_text_;
-  const std::vector<RestingState>& reached_;
-  const RestWatch& watch_;
-  std::chrono::duration<double> period_;
+  std::function<Checkpoint()> whole_;
+  Clock::duration period_;
   std::atomic<bool>& asked_;
   Clock::time_point last_ = Clock::now();
+  Alarm alarm_;
 };
 
 }  // namespace furnas

@@ -20,7 +20,6 @@
 #include "engine/state/fingerprint.h"
 #include "engine/state/validate.h"
 #include "io/atomic_file.h"
-#include "io/case_check.h"
 #include "io/case_file.h"
 #include "io/manifest.h"
 #include "io/outputs.h"
@@ -59,38 +58,6 @@ struct Outcome {
   std::string failure;
 };
 
-/// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
-Outcome run_to_outcome(Observation& now, const Events& events, std::atomic<bool>& attention) {
-  try {
-    const Verdict verdict = compact(now, events, &attention);
-    if (verdict == Verdict::diverged) return {verdict, now.fault()};
-    const std::string fault = fault_of(now.packing(), now.simulation().model());
-    return {fault.empty() ? verdict : Verdict::diverged, fault};
-  } catch (const NumericalFailure& error) {
-    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now.step())};
-  }
-}
-
-Result result_of(const Outcome& outcome, Observation& now, const Events& events, const RestWatch& watch,
-                 const Case& c) {
-  Result result;
-  result.verdict = outcome.verdict;
-  result.measures = now.measures();
-  result.rest = watch.report();
-  result.reason =
-      outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, c) : outcome.failure;
-  result.rattlers_stilled = count_of<StillRattlers>(events);
-  result.flips = count_of<Flip>(events);
-  result.state_hash = state_hash(now.packing());
-  for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);
-  const Model& model = now.simulation().model();
-  result.time_step = model.time_step;
-  result.pressure = model.barostat.pressure;
-  result.inertia = model.barostat.inertia;
-  result.threads = now.simulation().threads();
-  return result;
-}
-
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
   if (c.output.picture == "none") return;
   PictureOptions options;
@@ -104,6 +71,166 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
   }
 }
 
+/// A run from where this process begins to the files of its folder.
+class Run {
+ public:
+  Run(const RunOrder& order, Console console);
+  ExitCode go();
+
+ private:
+  void take_up();
+  Outcome outcome();
+  Outcome compact_on();
+  Result result_of(const Outcome& outcome);
+  void write_files(const Outcome& outcome, const Result& result);
+  /// All that the run needs to go on from here.
+  Checkpoint whole();
+  std::int64_t lists_built() const;
+  double wall_seconds() const;
+
+  const RunOrder& order_;
+  const std::filesystem::path folder_;
+  const Case& case_;
+  Console console_;
+  std::string case_text_;
+  Requests requests_;
+  SignalGuard guard_{requests_};
+  std::unique_ptr<Simulation> simulation_;
+  Observation now_;
+  RestWatch watch_;
+  std::vector<RestingState> reached_;
+  Checkpoints checkpoints_;
+  Events events_;
+  bool jammed_;
+};
+
+int threads_of(const RunOrder& order) {
+  const auto& asked = order.resolved_case.compute.threads;
+  return asked ? *asked : threads_for(order.start.size());
+}
+
+Run::Run(const RunOrder& order, Console console)
+    : order_(order),
+      folder_(order.folder->path()),
+      case_(order.resolved_case),
+      console_(console),
+      case_text_(resolved_toml(case_)),
+      simulation_(make_simulation(model_of(case_, order.start), order.start, threads_of(order))),
+      now_(*simulation_, backbone_threshold_of(case_), order.past.replaced),
+      watch_(rest_criteria_of(case_)),
+      reached_(order.past.reached),
+      checkpoints_(folder_, order.checkpoint, order.checkpoint_seconds),
+      jammed_(order.past.jammed) {
+  watch_.recall(order.past.watch);
+  if (!reached_.empty()) simulation_->set_pressure(case_.compaction.pressure.at(reached_.size()));
+  RunContext context{case_,
+                     folder_,
+                     [this] { return whole(); },
+                     order.start.step,
+                     {},
+                     console.err,
+                     isatty(STDERR_FILENO) == 1,
+                     requests_,
+                     watch_,
+                     checkpoints_,
+                     reached_};
+  if (order.walltime) context.deadline = order.begin + *order.walltime;
+  events_ = schedule(context);
+}
+
+/// Puts the files of the folder where the run stands.
+void Run::take_up() {
+  for (const auto& event : events_) {
+    const auto memory = order_.past.events.find(event->name());
+    event->recall(memory == order_.past.events.end() ? std::string() : memory->second);
+  }
+  write_file(folder_ / "case.resolved.toml", case_text_);
+  // Whatever happens, there is a good state to go back to.
+  if (order_.checkpoint.empty()) checkpoints_.write(whole());
+  order_.folder->keep();
+}
+
+std::int64_t Run::lists_built() const {
+  // The list with which a process begins is none that the run would have built.
+  return order_.past.lists_built + simulation_->builds() - (order_.checkpoint.empty() ? 0 : 1);
+}
+
+double Run::wall_seconds() const {
+  return order_.past.wall_seconds + std::chrono::duration<double>(Clock::now() - order_.begin).count();
+}
+
+Checkpoint Run::whole() {
+  Continuation c{reached_, watch_.memory(), {}, now_.replaced(), lists_built(), wall_seconds(), jammed_};
+  for (const auto& event : events_)
+    if (std::string memory = event->memory(); !memory.empty()) c.events[event->name()] = std::move(memory);
+  return {now_.packing(), case_text_, to_extras(c)};
+}
+
+Outcome Run::compact_on() {
+  const Verdict verdict = compact(now_, events_, &requests_.attention);
+  if (verdict == Verdict::diverged) return {verdict, now_.fault()};
+  const std::string fault = fault_of(now_.packing(), simulation_->model());
+  return {fault.empty() ? verdict : Verdict::diverged, fault};
+}
+
+/// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
+Outcome Run::outcome() {
+  if (jammed_) return {Verdict::jammed, {}};
+  try {
+    return compact_on();
+  } catch (const NumericalFailure& error) {
+    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now_.step())};
+  }
+}
+
+Result Run::result_of(const Outcome& outcome) {
+  Result result;
+  result.verdict = outcome.verdict;
+  result.measures = now_.measures();
+  result.measures.rebuilds = lists_built();
+  result.rest = watch_.report();
+  result.reason = outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_)
+                                          : outcome.failure;
+  result.rattlers_stilled = count_of<StillRattlers>(events_);
+  result.flips = count_of<Flip>(events_);
+  result.state_hash = state_hash(now_.packing());
+  for (Species s : now_.packing().species) ++(s == Species::large ? result.large : result.small);
+  const Model& model = simulation_->model();
+  result.time_step = model.time_step;
+  result.pressure = model.barostat.pressure;
+  result.inertia = model.barostat.inertia;
+  result.threads = simulation_->threads();
+  result.steps_here = now_.step();
+  result.wall_seconds = wall_seconds();
+  result.reached = reached_;
+  if (outcome.verdict == Verdict::jammed)
+    result.reached.push_back({result.pressure, result.measures.phi, now_.step()});
+  return result;
+}
+
+void Run::write_files(const Outcome& outcome, const Result& result) {
+  write_outputs({case_, now_.packing(), result}, folder_);
+  write_file(folder_ / "log.txt", summary(result, case_, folder_));
+  if (outcome.verdict != Verdict::diverged) draw(now_.packing(), case_, folder_, console_);
+  const BuildInfo& build = build_info();
+  write_manifest(folder_, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
+}
+
+ExitCode Run::go() {
+  if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
+  take_up();
+  const Outcome end = outcome();
+  for (const auto& event : events_)
+    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
+  const bool moved = order_.checkpoint.empty() || now_.step() > order_.start.step;
+  jammed_ = end.verdict == Verdict::jammed;
+  if (end.verdict != Verdict::diverged && moved) checkpoints_.write(whole());
+  const Result result = result_of(end);
+  write_files(end, result);
+  console_.out << summary(result, case_, folder_) << std::flush;
+  return exit_code_of(end.verdict);
+}
+
 }  // namespace
 
 RunOrder order_to_run(const Case& c) {
@@ -115,14 +242,16 @@ RunOrder order_to_run(const Case& c) {
 }
 
 RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes) {
-  Checkpoint checkpoint = Checkpoints::read_newest(folder);
   RunOrder order;
-  order.resolved_case = parse_case(checkpoint.case_text, folder.string() + " (checkpoint)", changes);
-  validate(order.resolved_case);
-  order.folder = folder;
-  order.start = std::move(checkpoint.packing);
-  order.reached = resting_states_of(checkpoint);
-  order.window = window_of(checkpoint);
+  order.folder = std::make_unique<RunFolder>(RunFolder::open(folder));
+  Checkpoints::Found found = Checkpoints::find_newest(folder);
+  order.past = continuation_of(found.checkpoint);
+  order.resolved_case = case_to_go_on_with(folder, found.checkpoint, changes);
+  order.start = std::move(found.checkpoint.packing);
+  order.checkpoint = found.file;
+  order.checkpoint_seconds = found.seconds;
+  if (!found.fault.empty())
+    order.remark = "going on from the older checkpoint " + found.file + ", for " + found.fault;
   return order;
 }
 
@@ -166,50 +295,6 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   return text;
 }
 
-ExitCode run_case(const RunOrder& order, Console console) {
-  const Case& c = order.resolved_case;
-  const std::string case_text = resolved_toml(c);
-  write_file(order.folder / "case.resolved.toml", case_text);
-
-  const Packing& start = order.start;
-  const int threads = c.compute.threads ? *c.compute.threads : threads_for(start.size());
-  const std::unique_ptr<Simulation> simulation = make_simulation(model_of(c, start), start, threads);
-  Observation now(*simulation, backbone_threshold_of(c));
-  RestWatch watch(rest_criteria_of(c));
-  watch.restore(order.window);
-  std::vector<RestingState> reached = order.reached;
-  if (!reached.empty()) simulation->set_pressure(c.compaction.pressure.at(reached.size()));
-  Checkpoints checkpoints(order.folder);
-  // Whatever happens, there is a good state to go back to.
-  if (checkpoints.none()) checkpoints.write(now.packing(), case_text, reached, watch);
-  Requests requests;
-  const auto begin = Clock::now();
-
-  RunContext context{c,          order.folder, case_text,   start.step,
-                     start.time, {},           console.err, isatty(STDERR_FILENO) == 1,
-                     requests,   watch,        checkpoints, reached};
-  if (order.walltime) context.deadline = begin + *order.walltime;
-  const Events events = schedule(context);
-  const SignalGuard guard(requests);
-  const Outcome outcome = run_to_outcome(now, events, requests.attention);
-  for (const auto& event : events)
-    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
-
-  Result result = result_of(outcome, now, events, watch, c);
-  result.steps_here = now.step() - start.step;
-  result.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  result.reached = reached;
-  if (outcome.verdict == Verdict::jammed)
-    result.reached.push_back({result.pressure, result.measures.phi, now.step()});
-  if (outcome.verdict != Verdict::diverged) checkpoints.write(now.packing(), case_text, reached, watch);
-  write_outputs({c, now.packing(), result}, order.folder);
-  const std::string text = summary(result, c, order.folder);
-  write_file(order.folder / "log.txt", text);
-  if (outcome.verdict != Verdict::diverged) draw(now.packing(), c, order.folder, console);
-  const BuildInfo& build = build_info();
-  write_manifest(order.folder, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
-  console.out << text << std::flush;
-  return exit_code_of(outcome.verdict);
-}
+ExitCode run_case(const RunOrder& order, Console console) { return Run(order, console).go(); }
 
 }  // namespace furnas

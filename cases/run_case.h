@@ -2,11 +2,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "cases/commands/command.h"
+#include "cases/continuation.h"
+#include "cases/run_folder.h"
 #include "io/case.h"
 #include "io/result.h"
 
@@ -15,17 +18,21 @@ namespace furnas {
 /// A run to do: its case, where its files go and where it begins.
 struct RunOrder {
   Case resolved_case;
-  std::filesystem::path folder;        ///< exists already
-  Packing start;                       ///< of the case, or where a stopped run goes on
-  std::vector<RestingState> reached;   ///< before it was stopped
-  std::deque<RestWatch::Look> window;  ///< likewise
+  std::unique_ptr<RunFolder> folder;
+  Packing start;                ///< of the case, or where a stopped run goes on
+  Continuation past;            ///< of a stopped run
+  std::string checkpoint;       ///< the file that it goes on from; empty for a new run
+  double checkpoint_seconds{};  ///< that reading it took
+  std::string remark;           ///< a line to be shown first; empty if there is nothing to remark
   std::optional<std::chrono::seconds> walltime;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  ///< of the wall time
 };
 
 /// The order to run a valid case from its start; the folder is still to be named. Throws InputError.
 RunOrder order_to_run(const Case& c);
 
-/// The order to go on with the run in `folder`, with some keys of its case changed. Throws InputError.
+/// The order to go on with the run in `folder`, with some keys of its case changed. Throws InputError, and
+/// FolderInUse while another process works there.
 RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes);
 
 /// Runs a case to its verdict, writes the folder of the run and prints what came out.

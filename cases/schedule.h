@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 
 #include "cases/recording.h"
 #include "cases/signals.h"
 #include "engine/events/at_rest.h"
+#include "io/case.h"
 
 namespace furnas {
 
@@ -15,9 +17,8 @@ namespace furnas {
 struct RunContext {
   const Case& resolved_case;
   std::filesystem::path folder;
-  std::string case_text;                                          ///< the resolved case
+  std::function<Checkpoint()> whole;                              ///< all that the run needs to go on
   std::int64_t first_step{};                                      ///< where this process begins
-  double first_time{};                                            ///< [time]
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
   std::ostream& out;                                              ///< for progress
   bool live{};                                                    ///< `out` is a terminal

@@ -1,7 +1,5 @@
 #include "cases/signals.h"
 
-#include <csignal>
-
 namespace furnas {
 namespace {
 
@@ -31,12 +29,28 @@ void ask_to_save(int) {
 
 SignalGuard::SignalGuard(Requests& requests) {
   current = &requests;
-  for (int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, ask_to_stop);
-  std::signal(SIGUSR1, ask_to_save);
+  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) take(signal, ask_to_stop);
+  take(SIGUSR1, ask_to_save);
+  // A reader of the output that has gone, or a limit on the size of files, is no reason to die unsaved: the
+  // write fails, and that is told.
+  take(SIGPIPE, SIG_IGN);
+  take(SIGXFSZ, SIG_IGN);
+}
+
+void SignalGuard::take(int signal, void (*handler)(int)) {
+  struct sigaction action {
+  }, before{};
+  sigaction(signal, nullptr, &before);
+  // nohup, or a shell that puts a job into the background, has said that it is to be ignored.
+  if (before.sa_handler == SIG_IGN && signal != SIGUSR1) return;
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
+  taken_.emplace_back(signal, before);
 }
 
 SignalGuard::~SignalGuard() {
-  for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, SIG_DFL);
+  for (const auto& [signal, before] : taken_) sigaction(signal, &before, nullptr);
   current = nullptr;
 }
 

@@ -1,24 +1,32 @@
 #pragma once
 
 #include <atomic>
+#include <csignal>
+#include <utility>
+#include <vector>
 
 namespace furnas {
 
 /// What signals ask of a running simulation.
 struct Requests {
   std::atomic<bool> attention{false};  ///< something below is set: look up from the steps
-  std::atomic<bool> stop{false};       ///< SIGINT, SIGTERM, SIGHUP: save and stop
+  std::atomic<bool> stop{false};       ///< SIGINT, SIGTERM, SIGHUP, SIGXCPU: save and stop
   std::atomic<bool> save{false};       ///< SIGUSR1: save and go on
 };
 
-/// Lets the signals set `requests` while it lives; a second signal to stop ends the program at once. One at
-/// a time.
+/// Lets the signals set `requests` while it lives; a second signal to stop ends the program at once. A signal
+/// that was ignored before, as under nohup, stays ignored. One guard at a time.
 class SignalGuard {
  public:
   explicit SignalGuard(Requests& requests);
   ~SignalGuard();
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
+
+ private:
+  void take(int signal, void (*handler)(int));
+
+  std::vector<std::pair<int, struct sigaction>> taken_;  ///< signals and what they did before
 };
 
 }  // namespace furnas

@@ -1,6 +1,7 @@
 #include "engine/compaction.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 
 #include "engine/analysis/energy.h"
@@ -55,6 +56,16 @@ void Observation::replace(const Packing& packing) {
   } catch (const InputError& error) {
     throw NumericalFailure(error.what());  // nobody put it in: the run came to it
   }
+}
+
+std::int64_t recalled_count(const std::string& memory) {
+  std::int64_t count = 0;
+  if (memory.empty()) return count;
+  const char* const end = memory.data() + memory.size();
+  const auto [rest, error] = std::from_chars(memory.data(), end, count);
+  if (error != std::errc{} || rest != end || count < 0)
+    throw InputError("a run remembers \"" + memory + "\" where it must remember a count");
+  return count;
 }
 
 std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (step / period + 1) * period; }

@@ -22,8 +22,9 @@ const char* to_string(Verdict verdict);
 /// What events look at between steps: the packing and its measures, taken once a step and only when asked.
 class Observation {
  public:
-  Observation(Simulation& simulation, int backbone_threshold)
-      : simulation_(simulation), backbone_threshold_(backbone_threshold) {}
+  /// `replaced` counts what an earlier part of the run has replaced.
+  Observation(Simulation& simulation, int backbone_threshold, std::int64_t replaced = 0)
+      : simulation_(simulation), backbone_threshold_(backbone_threshold), replaced_(replaced) {}
 
   Simulation& simulation() { return simulation_; }
   std::int64_t step() const { return simulation_.step(); }
@@ -32,7 +33,7 @@ class Observation {
 
   /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
   void replace(const Packing& packing);
-  /// How often that was done.
+  /// How often that was done since the run began.
   std::int64_t replaced() const { return replaced_; }
 
   /// The verdict of an event that has seen what must not be, with a sentence that says what.
@@ -49,7 +50,7 @@ class Observation {
   Simulation& simulation_;
   int backbone_threshold_;
   std::int64_t taken_at_ = -1;
-  std::int64_t replaced_ = 0;
+  std::int64_t replaced_;
   std::string fault_;
   std::optional<Packing> packing_;
   std::optional<Measures> measures_;
@@ -73,7 +74,18 @@ class Event {
 
   /// Lets it happen; an answer ends the run.
   virtual std::optional<Verdict> fire(Observation& now) = 0;
+
+  /// What it must know again when the run is stopped now and goes on in another process; what it has written
+  /// so far is then on the disk.
+  virtual std::string memory() { return {}; }
+
+  /// Takes up what memory() gave, once and before all else. Empty at the beginning of a run. Throws
+  /// InputError if it cannot go on from there.
+  virtual void recall(const std::string&) {}
 };
+
+/// A count as std::to_string() wrote it; 0 for the empty memory of a beginning. Throws InputError.
+std::int64_t recalled_count(const std::string& memory);
 
 /// The first multiple of `period` after `step`.
 std::int64_t next_multiple(std::int64_t step, std::int64_t period);

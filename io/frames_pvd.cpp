@@ -1,8 +1,9 @@
 #include "io/frames_pvd.h"
 
+#include <fmt/format.h>
+
 #include "engine/base/require.h"
 #include "io/text_reader.h"
-#include "io/text_writer.h"
 
 namespace furnas {
 namespace {
@@ -26,15 +27,13 @@ std::string attribute(const TextReader& reader, const std::string& name) {
 
 std::string frame_file(std::size_t number) { return fmt::format("frames/packing_{:06}.vtp", number); }
 
-void write_frames(const std::vector<SavedFrame>& frames, const std::filesystem::path& path) {
-  AtomicFile file(path);
-  file.write(head);
+std::string frames_text(const std::vector<SavedFrame>& frames) {
+  std::string text(head);
   for (const SavedFrame& frame : frames) {
     require(frame.file.find_first_of("<>&\"\n") == std::string::npos, "file names of frames need no escapes");
-    print(file, "    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
   }
-  file.write(tail);
-  file.commit();
+  return text.append(tail);
 }
 
 std::vector<SavedFrame> read_frames(const std::filesystem::path& path) {

@@ -16,10 +16,10 @@ struct SavedFrame {
 /// The file of frame `number` beside a collection: frames/packing_000123.vtp.
 std::string frame_file(std::size_t number);
 
-/// Writes a ParaView collection anew; throws OutputError.
-void write_frames(const std::vector<SavedFrame>& frames, const std::filesystem::path& path);
+/// A ParaView collection of these frames.
+std::string frames_text(const std::vector<SavedFrame>& frames);
 
-/// Reads a collection as write_frames() writes it, to continue it; throws InputError.
+/// Reads a collection as frames_text() gives it, to continue it; throws InputError.
 std::vector<SavedFrame> read_frames(const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -2,12 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <string>
-
-#include "io/atomic_file.h"
-
 namespace furnas {
 namespace {
 
@@ -57,23 +51,6 @@ constexpr Column columns[] = {
     {"EnergyGap", [](const Measures& m) { return per_particle(m.ledger.gap(m.energy.total()), m); }},
 };
 
-/// The rows of an older file up to a step, with its header. A row that a crash has cut ends them.
-std::string rows_until(const std::filesystem::path& path, std::int64_t step) {
-  const std::string header = history_columns();
-  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
-  std::string kept = header + "\n";
-  std::ifstream in(path);
-  std::string line;
-  if (!std::getline(in, line) || line != header) return kept;
-  while (std::getline(in, line) && !in.eof() && commas(line) == commas(header)) {
-    std::int64_t row = 0;
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), row);
-    if (error != std::errc{} || row > step) break;
-    kept += line + "\n";
-  }
-  return kept;
-}
-
 }  // namespace
 
 std::string history_columns() {
@@ -82,16 +59,12 @@ std::string history_columns() {
   return names;
 }
 
-History::History(std::filesystem::path path, std::int64_t step) : path_(std::move(path)) {
-  write_file(path_, rows_until(path_, step));
-  file_.open(path_, std::ios::app);
-}
+History::History(const std::filesystem::path& path) : file_(path) { file_.append(history_columns() + "\n"); }
 
 void History::add(const Measures& m) {
   std::string row;
   for (const Column& column : columns) row += fmt::format("{}{}", row.empty() ? "" : ",", column.value(m));
-  file_ << row << '\n' << std::flush;
-  if (!file_) throw OutputError("cannot write " + path_.string());
+  file_.append(row + "\n");
 }
 
 }  // namespace furnas

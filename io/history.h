@@ -1,25 +1,29 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <string>
 
 #include "engine/state/measures.h"
+#include "io/append_file.h"
 
 namespace furnas {
 
 /// history.csv: a row of measures each few steps, under the column names of LAMMPS where it has one.
 class History {
  public:
-  /// Continues `path` after `step`: later rows are removed. A missing file is begun with its header.
-  History(std::filesystem::path path, std::int64_t step);
+  /// Begins `path` anew with its header; throws OutputError.
+  explicit History(const std::filesystem::path& path);
+  /// Goes on with `path` where mark() was taken: later rows are cut off. Throws InputError.
+  History(const std::filesystem::path& path, const FileMark& mark) : file_(path, mark) {}
 
-  /// Appends a row and hands it to the system.
+  /// Appends a row and hands it to the system; throws OutputError.
   void add(const Measures& measures);
 
+  /// Brings the rows to the disk and says how far they reach.
+  FileMark mark() { return file_.mark(); }
+
  private:
-  std::filesystem::path path_;
-  std::ofstream file_;
+  AppendFile file_;
 };
 
 /// Names of the columns, separated by commas.

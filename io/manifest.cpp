@@ -17,7 +17,8 @@ void write_manifest(const fs::path& folder, const std::string& program) {
   constexpr const char* name = "manifest.json";
   std::map<std::string, nlohmann::ordered_json> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().filename() == name) continue;
+    const fs::path extension = entry.path().extension();
+    if (!entry.is_regular_file() || entry.path().filename() == name || extension == ".lock") continue;
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     Hasher hasher;

@@ -27,8 +27,8 @@ struct Result {
   double pressure{};                  ///< of the bath at the end [k_n/d_s]
   double inertia{};                   ///< W [rho d_s^5]
   int threads{};
-  double wall_seconds{};      ///< of this process
-  std::int64_t steps_here{};  ///< steps of this process
+  double wall_seconds{};      ///< of all processes that had a part in it
+  std::int64_t steps_here{};  ///< steps that they took
 
   /// phi_J, which only a jammed packing has.
   std::optional<double> phi_J() const;

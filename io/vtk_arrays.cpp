@@ -1,6 +1,7 @@
 #include "io/vtk_arrays.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
 #include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
@@ -11,6 +12,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "io/atomic_file.h"
 
@@ -48,13 +50,18 @@ class Messages {
   Messages(const Messages&) = delete;
   Messages& operator=(const Messages&) = delete;
 
-  /// The last line that says something, without VTK's class and address.
-  std::string gist() const {
-    std::string text = window_->text();
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    text = text.substr(text.rfind('\n') + 1);
-    if (const auto place = text.find("): "); place != std::string::npos) text = text.substr(place + 3);
-    return text.empty() ? "unknown error" : text;
+  /// The line that names the error, without VTK's class and address; what is wrong with the disk stands in
+  /// the code of the error, which may be one of the system.
+  std::string gist(unsigned long code) const {
+    if (code == vtkErrorCode::OutOfDiskSpaceError)
+      return "no room on the disk, or a limit on the size of files";
+    if (code == vtkErrorCode::CannotOpenFileError) return "it cannot be opened";
+    if (code != vtkErrorCode::NoError && code < vtkErrorCode::FirstVTKErrorCode)
+      return vtkErrorCode::GetStringFromErrorCode(code);
+    std::istringstream lines(window_->text());
+    for (std::string line; std::getline(lines, line);)
+      if (const auto place = line.find("): "); place != std::string::npos) return line.substr(place + 3);
+    return "unknown error";
   }
 
  private:
@@ -129,7 +136,7 @@ void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {
   writer->SetCompressorTypeToZLib();
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() != 1 || writer->GetErrorCode() != 0)
-    throw OutputError(path.string() + ": cannot write the file: " + messages.gist());
+    throw OutputError(path.string() + ": cannot write the file: " + messages.gist(writer->GetErrorCode()));
   file.commit();
 }
 

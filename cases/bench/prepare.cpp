@@ -46,7 +46,7 @@ ExitCode make(double ratio, const PrepareOrder& order, Console console) {
     console.out << fmt::format("{}: finished already\n", folder.string());
     return ExitCode::done;
   }
-  const bool begun = fs::exists(folder) && !Checkpoints(folder).none();
+  const bool begun = !Checkpoints::none(folder);
   console.out << fmt::format("{}: {}\n", folder.string(), begun ? "goes on" : "begins") << std::flush;
   RunOrder run;
   if (begun) {
@@ -55,7 +55,7 @@ ExitCode make(double ratio, const PrepareOrder& order, Console console) {
     const Case c = parse_case(text, "cases/bench/" + benchmark_name(ratio) + ".toml", order.set);
     validate(c);
     run = order_to_run(c);
-    run.folder = create_run_folder(folder.string(), {});
+    run.folder = std::make_unique<RunFolder>(RunFolder::create(folder.string(), {}));
   }
   if (!order.walltime.empty()) run.walltime = parse_duration(order.walltime);
   return run_case(run, console);

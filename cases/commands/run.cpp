@@ -8,7 +8,6 @@
 #include "cases/preflight.h"
 #include "cases/run_case.h"
 #include "cases/run_folder.h"
-#include "engine/base/require.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
 
@@ -55,7 +54,7 @@ Command run_command() {
     }
     RunOrder order = order_to_run(c);
     order.walltime = walltime;
-    order.folder = create_run_folder(options->out, options->file);
+    order.folder = std::make_unique<RunFolder>(RunFolder::create(options->out, options->file));
     return run_case(order, console);
   };
   return command;

@@ -13,6 +13,10 @@ namespace {
 
 bool finite(const Vec3<double>& v) { return std::isfinite(v.x + v.y + v.z); }
 bool finite(const Triangle& t) { return std::isfinite(t.xx + t.yy + t.zz + t.yz + t.xz + t.xy); }
+bool finite(const Ledger& l) {
+  return std::isfinite(l.initial + l.cell_work + l.losses.total() + l.stilled + l.last.losses.total()) &&
+         finite(l.last.push);
+}
 
 std::string name(std::size_t k) { return std::to_string(k + 1); }
 std::string names(const Contact& c) { return name(c.i) + " and " + name(c.j); }
@@ -22,6 +26,9 @@ std::string at(const Packing& p) { return " at step " + std::to_string(p.step); 
 std::string not_finite(const Packing& p) {
   if (!finite(p.cell.edges) || !finite(p.cell.rate))
     return "an edge of the cell or its rate is not finite" + at(p);
+  if (!p.stress.contacts.allFinite() || !p.stress.motion.allFinite())
+    return "a component of the stress is not finite" + at(p);
+  if (!finite(p.ledger)) return "a sum of the energy ledger is not finite" + at(p);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const std::pair<const char*, const Vec3<double>&> values[] = {
         {"velocity", p.velocity[k]}, {"spin", p.spin[k]}, {"force", p.force[k]}, {"torque", p.torque[k]}};

@@ -35,7 +35,12 @@ const RestReport& RestWatch::look(Observation& now) {
   window_.push_back({now.step(), m.cell.edges, holds(criteria_.force_imbalance),
                      holds(std::max(criteria_.loose_imbalance, criteria_.force_imbalance))});
   if (static_cast<std::int64_t>(window_.size()) > patience + 1) window_.pop_front();
+  judge();
+  return report_;
+}
 
+/// Draws the conclusions from the looks.
+void RestWatch::judge() {
   // Over ten windows the cell's own swing counts less, over one the past is forgotten sooner.
   report_.strain_drift = std::min(drift_over(looks), drift_over(patience));
   const bool steady = criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift;
@@ -43,7 +48,20 @@ const RestReport& RestWatch::look(Observation& now) {
   report_.loosely = !tightly && steady && all_hold(&Look::holds_loosely, patience + 1);
   report_.resting = tightly || report_.loosely;
   report_.waiting_for = furthest();
-  return report_;
+}
+
+RestWatch::Memory RestWatch::memory() const {
+  return {window_, report_.backbone, report_.stress_error, report_.force_imbalance, report_.kinetic_energy};
+}
+
+void RestWatch::recall(Memory memory) {
+  window_ = std::move(memory.window);
+  report_ = {};
+  report_.backbone = memory.backbone;
+  report_.stress_error = memory.stress_error;
+  report_.force_imbalance = memory.force_imbalance;
+  report_.kinetic_energy = memory.kinetic_energy;
+  if (!window_.empty()) judge();
 }
 
 double RestWatch::drift_over(std::int64_t count) const {

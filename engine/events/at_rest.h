@@ -63,13 +63,21 @@ class RestWatch {
   /// Forgets the window, because the pressure has changed.
   void restart() { window_.clear(); }
 
-  /// The looks kept so far, oldest first, and their return when a run goes on.
-  const std::deque<Look>& window() const { return window_; }
-  void restore(std::deque<Look> window) { window_ = std::move(window); }
+  /// What must return when a run goes on: the looks kept so far, oldest first, and what the last one saw.
+  struct Memory {
+    std::deque<Look> window;
+    std::int64_t backbone{};  ///< this and the rest as in RestReport
+    double stress_error = RestReport::unknown;
+    double force_imbalance = RestReport::unknown;
+    double kinetic_energy = RestReport::unknown;  ///< [k_n d_s^2]
+  };
+  Memory memory() const;
+  void recall(Memory memory);
 
  private:
   static constexpr std::int64_t looks = 10;             // a window
   static constexpr std::int64_t patience = 10 * looks;  // with the loose limit
+  void judge();
   double drift_over(std::int64_t count) const;
   bool all_hold(bool Look::*holds, std::int64_t count) const;
   std::string furthest() const;

@@ -1,9 +1,13 @@
 #include "engine/events/monitor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 #include "engine/analysis/faults.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 namespace {
@@ -50,6 +54,28 @@ std::string Monitor::momentum_fault(Observation& now) {
   }
   last_ = here;
   return fault;
+}
+
+std::string Monitor::memory() {
+  if (!last_) return {};
+  const auto& [sum, flow, h, step, replaced] = *last_;
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  for (double x : {sum.x, sum.y, sum.z, flow, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy}) text << x << ' ';
+  text << step << ' ' << replaced;
+  return text.str();
+}
+
+void Monitor::recall(const std::string& memory) {
+  last_.reset();
+  if (memory.empty()) return;
+  std::istringstream text(memory);
+  std::array<double, 10> x{};
+  for (double& value : x) text >> value;
+  Momentum m{{x[0], x[1], x[2]}, x[3], {x[4], x[5], x[6], x[7], x[8], x[9]}, 0, 0};
+  if (!(text >> m.step >> m.replaced))
+    throw InputError("the monitor remembers \"" + memory + "\", which is no momentum");
+  last_ = m;
 }
 
 bool Monitor::due(Observation& now) {

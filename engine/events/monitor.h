@@ -15,6 +15,8 @@ class Monitor final : public Event {
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override { return now.diverged(sentence_); }
+  std::string memory() override;
+  void recall(const std::string& memory) override;
 
  private:
   /// What the momentum is compared with.

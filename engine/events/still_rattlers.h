@@ -17,7 +17,10 @@ class StillRattlers final : public Event {
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
-  /// How often it has happened.
+  std::string memory() override { return std::to_string(count_); }
+  void recall(const std::string& memory) override { count_ = recalled_count(memory); }
+
+  /// How often it has happened since the run began.
   std::int64_t count() const { return count_; }
 
  private:

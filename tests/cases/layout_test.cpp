@@ -49,10 +49,13 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"viz", {"engine", "io"}},
     {"cases", {"engine", "io", "viz"}},
     {"tests/engine", {"engine"}},
-    {"tests/io", {"engine", "io"}},
+    {"tests/fuzz", {"engine", "io"}},
+    {"tests/io", {"engine", "io", "tests/fuzz"}},
     {"tests/viz", {"engine", "io", "viz"}},
     {"tests/benchmarks", {"engine", "io"}},
     {"tests/cases", {"engine", "io", "viz", "cases", "tests/engine", "tests/io"}},
+    // Preloaded into the program, so they share nothing with it.
+    {"tests/faults", {}},
 };
 
 /// What the engine may not touch: files, the screen, the command line and the libraries of the other rooms.

@@ -87,6 +87,48 @@ TEST(Preflight, RefusesWhatTheMachineCannotHold) {
   EXPECT_THAT(refusal, HasSubstr("mixture.large = 2000"));
 }
 
+/// A control group or ulimit that allows less than the machine has counts.
+TEST(ReliablePreflight, RefusesWhatALimitForbids) {
+  const Case c = bidisperse();
+  const double needed = expected_memory(1e4, true);
+  EXPECT_TRUE(check_case(c, {10 * needed, "this machine has"}).refusal.empty());
+  const std::string refusal = check_case(c, {1e6, "its control group allows"}).refusal;
+  EXPECT_THAT(refusal, HasSubstr("its control group allows 0.0 GB"));
+}
+
+TEST(ReliablePreflight, RefusesWhatNeverComesToRest) {
+  Case c;
+  c.contact.normal_damping = 0;
+  EXPECT_TRUE(check_case(c).refusal.empty()) << "friction takes energy out";
+  c.contact.friction = 0;
+  EXPECT_THAT(check_case(c).refusal, HasSubstr("contact.normal_damping = 0"));
+  c.compaction.drag = 0.1;
+  EXPECT_TRUE(check_case(c).refusal.empty());
+  c.compaction.drag = 0;
+  c.compaction.cell = "fixed";
+  EXPECT_TRUE(check_case(c).refusal.empty());
+}
+
+TEST(ReliablePreflight, RefusesWhatNobodyLivesToSee) {
+  Case c;
+  c.mixture.large = 10'000'000;
+  c.compute.threads = 1;
+  c.stop.window = 1'000'000'000;
+  c.stop.steps = 1'000'000'000'000;
+  EXPECT_THAT(check_case(c, {1e15, "this machine has"}).refusal, HasSubstr("stop.window = 1000000000"));
+  c.stop.window = 10'000;
+  EXPECT_TRUE(check_case(c, {1e15, "this machine has"}).refusal.empty());
+}
+
+TEST(ReliablePreflight, SaysWhenStepsDoNotSuffice) {
+  Case c;
+  EXPECT_THAT(check_case(c).report, Not(HasSubstr("verdict")));
+  c.stop.steps = 15'000;
+  EXPECT_THAT(check_case(c).report, Not(HasSubstr("verdict")));
+  c.compaction.pressure = {1e-4, 2e-4};
+  EXPECT_THAT(check_case(c).report, HasSubstr("verdict   none: 2 windows of 10000 steps do not fit"));
+}
+
 /// Counts beyond 2^31 and 2^32, in which every product with the bytes of a sphere is beyond both.
 TEST(Preflight, CountsAnyNumberOfSpheres) {
   Case c;

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <new>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "cases/folder_lock.h"
 #include "engine/base/require.h"
+#include "io/atomic_file.h"
 
 namespace furnas {
 namespace {
@@ -51,8 +54,25 @@ TEST(Program, TurnsErrorsIntoOneLineAndACode) {
   EXPECT_EQ(contract.code, ExitCode::internal_error);
   EXPECT_EQ(contract.err, "furnas: internal error: a.cpp:1: broken\n");
   const auto memory = ask(command_that_throws(std::bad_alloc()), {"act"});
-  EXPECT_EQ(memory.code, ExitCode::internal_error);
+  EXPECT_EQ(memory.code, ExitCode::out_of_memory);
   EXPECT_EQ(memory.err, "furnas: out of memory\n");
+}
+
+TEST(Program, TellsWhatCannotBePrinted) {
+  const std::vector<Command> commands = {command_that([](Console console) {
+    console.out << "result";
+    return ExitCode::done;
+  })};
+  std::ofstream full("/dev/full");
+  if (!full) GTEST_SKIP();
+  std::ostringstream err;
+  EXPECT_EQ(run_program(commands, {"act"}, {full, err}), ExitCode::output_failed);
+  EXPECT_EQ(err.str(), "furnas: cannot write to the standard output\n");
+}
+
+TEST(Program, FaultsOfTheSurroundingsHaveTheirCodes) {
+  EXPECT_EQ(ask(command_that_throws(OutputError("a: disk full")), {"act"}).code, ExitCode::output_failed);
+  EXPECT_EQ(ask(command_that_throws(FolderInUse("a is in use")), {"act"}).code, ExitCode::folder_in_use);
 }
 
 TEST(Program, AWrongCommandLineIsABadCase) {
@@ -74,6 +94,7 @@ TEST(Program, HelpShowsTheTableAndTheExample) {
   const Answer table = ask(act, {"--help"});
   EXPECT_EQ(table.code, ExitCode::done);
   EXPECT_THAT(table.out, HasSubstr("does what the test says"));
+  EXPECT_THAT(table.out, HasSubstr("  130  stopped by a signal, and saved"));
   const Answer help = ask(act, {"act", "--help"});
   EXPECT_EQ(help.code, ExitCode::done);
   EXPECT_THAT(help.out, HasSubstr("Example:\n  furnas act"));

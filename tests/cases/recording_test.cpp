@@ -16,9 +16,7 @@ Packing at_step(std::int64_t step) {
   return p;
 }
 
-void save(Checkpoints& checkpoints, std::int64_t step) {
-  checkpoints.write(at_step(step), "", {}, RestWatch({}));
-}
+void save(Checkpoints& checkpoints, std::int64_t step) { checkpoints.write({at_step(step), "", {}}); }
 
 /// Steps of the two checkpoints, the smaller first; -1 for one that is missing.
 std::pair<std::int64_t, std::int64_t> steps(const TemporaryFolder& folder) {
@@ -30,63 +28,53 @@ std::pair<std::int64_t, std::int64_t> steps(const TemporaryFolder& folder) {
 
 using Steps = std::pair<std::int64_t, std::int64_t>;
 
-TEST(Checkpoints, AreWrittenInTurn) {
+TEST(ReliableCheckpoints, AreWrittenInTurn) {
   const TemporaryFolder folder;
   Checkpoints checkpoints(folder / "");
-  EXPECT_TRUE(checkpoints.none());
   save(checkpoints, 10);
-  EXPECT_FALSE(checkpoints.none());
   EXPECT_EQ(steps(folder), Steps(-1, 10));
   save(checkpoints, 20);
   EXPECT_EQ(steps(folder), Steps(10, 20));
   save(checkpoints, 30);
   EXPECT_EQ(steps(folder), Steps(20, 30));
   EXPECT_EQ(Checkpoints::read_newest(folder / "").packing.step, 30);
+  EXPECT_GT(checkpoints.longest().count(), 0);
 }
 
 /// Who goes on must not begin by writing over the newest, whichever of the two that is.
-TEST(Checkpoints, WhoGoesOnWritesOverTheOlder) {
+TEST(ReliableCheckpoints, WhoGoesOnWritesOverTheOlder) {
   const TemporaryFolder folder;
   std::int64_t step = 0;
-  for (int process = 0; process < 5; ++process) {
+  {
     Checkpoints checkpoints(folder / "");
+    save(checkpoints, ++step);
+  }
+  for (int process = 0; process < 5; ++process) {
+    const auto found = Checkpoints::find_newest(folder / "");
+    Checkpoints checkpoints(folder / "", found.file, found.seconds);
     for (int n = 0; n < 1 + process % 2; ++n) {
       save(checkpoints, ++step);
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // times of files are coarse
-      if (step > 1) {
-        EXPECT_EQ(steps(folder), Steps(step - 1, step));
-      }
+      EXPECT_EQ(steps(folder), Steps(step - 1, step));
     }
   }
 }
 
-TEST(Checkpoints, KeepWhatTheRunMustRemember) {
-  const TemporaryFolder folder;
-  const std::vector<RestingState> reached{{0.1, 1.0 / 3, 7}, {1e-300, 2.0 / 3, 8}};
-  RestWatch watch({});
-  const double third = 1.0 / 3;
-  watch.restore({{1000, {third, 2 * third, 4 * third, -third, 1e-17, -1e300}, true, false},
-                 {2000, {1, 2, 3, 4, 5, 6}, false, true}});
-  Checkpoints(folder / "").write(at_step(3), "text", reached, watch);
-  const Checkpoint checkpoint = Checkpoints::read_newest(folder / "");
-  EXPECT_EQ(checkpoint.case_text, "text");
-  const std::vector<RestingState> states = resting_states_of(checkpoint);
-  ASSERT_EQ(states.size(), 2u);
-  for (std::size_t n = 0; n < 2; ++n) {
-    EXPECT_EQ(states[n].pressure, reached[n].pressure);
-    EXPECT_EQ(states[n].phi, reached[n].phi);
-    EXPECT_EQ(states[n].step, reached[n].step);
+/// The good one of two stays, too, when it is the older.
+TEST(ReliableCheckpoints, WhoGoesOnWritesOverTheDamaged) {
+  for (const char* damaged : {"a.checkpoint", "b.checkpoint"}) {
+    const TemporaryFolder folder;
+    Checkpoints checkpoints(folder / "");
+    for (int step : {10, 20, 30}) save(checkpoints, step);
+    std::string bytes = content(folder / damaged);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write_file(folder / damaged, bytes);
+    const auto found = Checkpoints::find_newest(folder / "");
+    EXPECT_NE(found.file, damaged);
+    EXPECT_NE(found.fault.find(damaged), std::string::npos);
+    Checkpoints next(folder / "", found.file, found.seconds);
+    save(next, 40);
+    EXPECT_EQ(steps(folder), Steps(found.checkpoint.packing.step, 40));
   }
-  const std::deque<RestWatch::Look> window = window_of(checkpoint);
-  ASSERT_EQ(window.size(), 2u);
-  for (std::size_t n = 0; n < 2; ++n) {
-    EXPECT_EQ(window[n].step, watch.window()[n].step);
-    EXPECT_EQ(window[n].edges, watch.window()[n].edges);
-    EXPECT_EQ(window[n].holds, watch.window()[n].holds);
-    EXPECT_EQ(window[n].holds_loosely, watch.window()[n].holds_loosely);
-  }
-  EXPECT_TRUE(window_of({}).empty());
-  EXPECT_TRUE(resting_states_of({}).empty());
 }
 
 /// An event that saves at once, and what it works with.
@@ -97,10 +85,12 @@ struct Saving {
   FakeSimulation simulation;
   Observation now{simulation, 3};
   Checkpoints checkpoints{folder / ""};
-  std::vector<RestingState> reached;
-  RestWatch watch{RestCriteria{}};
-  std::atomic<bool> asked{false};
-  SaveCheckpoint event{checkpoints, "", reached, watch, 1e6, asked};
+  std::atomic<bool> asked{false}, attention{false};
+  SaveCheckpoint event{checkpoints,
+                       [this] {
+                         return Checkpoint{now.packing(), "", {}};
+                       },
+                       1e5, asked, attention};
 };
 
 Packing calm() {
@@ -111,7 +101,7 @@ Packing calm() {
   return p;
 }
 
-TEST(SaveCheckpoint, SavesWhenAsked) {
+TEST(ReliableSaveCheckpoint, SavesWhenAsked) {
   Saving saving(calm());
   EXPECT_TRUE(saving.event.heeds_attention());
   EXPECT_FALSE(saving.event.due(saving.now));
@@ -123,7 +113,7 @@ TEST(SaveCheckpoint, SavesWhenAsked) {
 }
 
 /// A state that is none must not take the place of the last good one.
-TEST(SaveCheckpoint, RefusesAStateThatHasDiverged) {
+TEST(ReliableSaveCheckpoint, RefusesAStateThatHasDiverged) {
   Packing broken = calm();
   broken.velocity[3].y = std::numeric_limits<double>::quiet_NaN();
   Packing collapsed = calm();
@@ -135,8 +125,26 @@ TEST(SaveCheckpoint, RefusesAStateThatHasDiverged) {
   }
 }
 
+/// However long a step takes, a checkpoint is not later than its period.
+TEST(ReliableSaveCheckpoint, CallsTheRunToAttention) {
+  Saving saving(calm());
+  SaveCheckpoint soon(
+      saving.checkpoints,
+      [&] {
+        return Checkpoint{saving.now.packing(), "", {}};
+      },
+      1e-3, saving.asked, saving.attention);
+  const auto begin = std::chrono::steady_clock::now();
+  while (!saving.attention && std::chrono::steady_clock::now() - begin < std::chrono::seconds(20))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_TRUE(saving.attention);
+  EXPECT_TRUE(soon.due(saving.now));
+  soon.fire(saving.now);
+  EXPECT_EQ(saving.folder.files(), 1u);
+}
+
 /// Frames after the checkpoint that a run goes on from are taken again, not kept twice.
-TEST(RecordFrame, GoesOnAfterTheCheckpoint) {
+TEST(ReliableRecordFrame, GoesOnAfterTheCheckpoint) {
   const TemporaryFolder folder;
   FakeSimulation simulation([](std::int64_t step) {
     Packing p = calm();
@@ -144,21 +152,31 @@ TEST(RecordFrame, GoesOnAfterTheCheckpoint) {
     return p;
   });
   Observation now(simulation, 3);
-  const auto record = [&](double time, int frames) {
-    RecordFrame event(folder / "", time, 10);
+  const auto record = [&](const std::string& memory, int frames) {
+    RecordFrame event(folder / "", 10);
+    event.recall(memory);
     for (int n = 0; n < frames; ++n) simulation.advance(10, nullptr), event.fire(now);
+    return event.memory();
   };
   const auto times = [&] {
     std::vector<double> found;
     for (const SavedFrame& frame : read_frames(folder / "frames.pvd")) found.push_back(frame.time);
     return found;
   };
-  record(0, 3);
-  EXPECT_EQ(times(), (std::vector<double>{5, 10, 15}));
-  record(10, 1);
-  EXPECT_EQ(times(), (std::vector<double>{5, 10, 20}));
-  record(0, 1);  // a fresh run counts its own
-  EXPECT_EQ(times(), std::vector<double>{25});
+  const std::string two = record("", 2);
+  EXPECT_EQ(times(), (std::vector<double>{5, 10}));
+  record(two, 2);
+  EXPECT_EQ(times(), (std::vector<double>{5, 10, 15, 20}));
+  EXPECT_TRUE(fs::exists(folder / frame_file(3)));
+  EXPECT_EQ(record(two, 0), two);
+  EXPECT_EQ(times(), (std::vector<double>{5, 10}));
+  EXPECT_FALSE(fs::exists(folder / frame_file(2)));
+  record(two, 1);
+  EXPECT_EQ(times(), (std::vector<double>{5, 10, 25}));
+  write_file(folder / "frames.pvd", frames_text({{5, frame_file(0)}}));
+  EXPECT_NE(input_error([&] { record(two, 0); }).find("put them back"), std::string::npos);
+  EXPECT_EQ(record("", 0), "");  // a fresh run has none
+  EXPECT_FALSE(fs::exists(folder / "frames.pvd") || fs::exists(folder / frame_file(0)));
 }
 
 }  // namespace

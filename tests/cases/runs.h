@@ -83,6 +83,15 @@ picture = "none"
   }
   std::size_t files() const { return folder_.files(); }
 
+  /// Files in the folder of a run that nobody finished or gave back.
+  static std::size_t unfinished(const std::filesystem::path& run) {
+    std::size_t count = 0;
+    if (!std::filesystem::exists(run)) return count;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(run))
+      count += entry.path().extension() == ".tmp" || entry.path().extension() == ".lock";
+    return count;
+  }
+
  private:
   TemporaryFolder folder_;
 };

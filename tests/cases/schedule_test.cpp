@@ -21,7 +21,8 @@ Names events_of(const Case& c, bool walltime = false) {
   RestWatch watch(rest_criteria_of(c));
   Checkpoints checkpoints(folder / "");
   std::vector<RestingState> reached;
-  RunContext run{c, folder / "", "", 0, 0, {}, out, false, requests, watch, checkpoints, reached};
+  RunContext run{c,           folder / "", [] { return Checkpoint(); }, 0, {}, out, false, requests, watch,
+                 checkpoints, reached};
   if (walltime) run.deadline = std::chrono::steady_clock::now();
   Names names;
   for (const auto& event : schedule(run)) names.emplace_back(event->name());

@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-TEST(AtomicFile, AppearsCompleteUnderItsName) {
+TEST(ReliableAtomicFile, AppearsCompleteUnderItsName) {
   const TemporaryFolder folder;
   const std::string text(3'000'000, 'a');  // more than the buffer
   {
@@ -19,7 +19,7 @@ TEST(AtomicFile, AppearsCompleteUnderItsName) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST(AtomicFile, LeavesTheOldFileUnlessCommitted) {
+TEST(ReliableAtomicFile, LeavesTheOldFileUnlessCommitted) {
   const TemporaryFolder folder;
   write_file(folder / "a.txt", "old");
   { AtomicFile(folder / "a.txt").write("new"); }
@@ -29,7 +29,7 @@ TEST(AtomicFile, LeavesTheOldFileUnlessCommitted) {
   EXPECT_EQ(content(folder / "a.txt"), "new");
 }
 
-TEST(AtomicFile, NamesWhatCannotBeWritten) {
+TEST(ReliableAtomicFile, NamesWhatCannotBeWritten) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_file(folder / "no/such/folder/a.txt", "a"), OutputError);
   std::filesystem::create_directory(folder / "b.txt");
@@ -37,7 +37,7 @@ TEST(AtomicFile, NamesWhatCannotBeWritten) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST(AtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
+TEST(ReliableAtomicFile, KeepsTheOldFileWhenTheDiskIsFull) {
   const TemporaryFolder folder;
   write_file(folder / "a.txt", "old");
   {

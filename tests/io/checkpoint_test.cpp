@@ -51,7 +51,7 @@ Checkpoint example(unsigned seed, std::size_t count) {
           {{"schedule", std::string("\0\1\2", 3)}, {"", "x"}}};
 }
 
-TEST(Checkpoint, KeepsEveryBit) {
+TEST(ReliableCheckpoint, KeepsEveryBit) {
   const TemporaryFolder folder;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Checkpoint a = example(seed, seed == 0 ? 60'000 : 10 * seed);  // 60 000: several blocks
@@ -64,7 +64,7 @@ TEST(Checkpoint, KeepsEveryBit) {
   }
 }
 
-TEST(Checkpoint, NeedsNoContactsOrderOrExtras) {
+TEST(ReliableCheckpoint, NeedsNoContactsOrderOrExtras) {
   const TemporaryFolder folder;
   Checkpoint a{random_packing(1), "", {}};
   a.packing.contacts.clear();
@@ -75,7 +75,7 @@ TEST(Checkpoint, NeedsNoContactsOrderOrExtras) {
   EXPECT_TRUE(b.extras.empty() && b.case_text.empty());
 }
 
-TEST(Checkpoint, EveryChangedByteIsNoticed) {
+TEST(ReliableCheckpoint, EveryChangedByteIsNoticed) {
   const TemporaryFolder folder;
   write_checkpoint(example(2, 8), folder / "a");
   const std::string bytes = content(folder / "a");
@@ -92,7 +92,7 @@ TEST(Checkpoint, EveryChangedByteIsNoticed) {
   }
 }
 
-TEST(Checkpoint, EveryCutIsNoticed) {
+TEST(ReliableCheckpoint, EveryCutIsNoticed) {
   const TemporaryFolder folder;
   write_checkpoint(example(3, 8), folder / "a");
   const std::string bytes = content(folder / "a");
@@ -104,7 +104,7 @@ TEST(Checkpoint, EveryCutIsNoticed) {
   EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }), "");
 }
 
-TEST(Checkpoint, DamageInASectionNamesIt) {
+TEST(ReliableCheckpoint, DamageInASectionNamesIt) {
   const TemporaryFolder folder;
   write_checkpoint(example(4, 500), folder / "a");
   std::string bytes = content(folder / "a");
@@ -116,8 +116,42 @@ TEST(Checkpoint, DamageInASectionNamesIt) {
             std::string::npos);
 }
 
+TEST(ReliableCheckpoint, SwappedSectionsAreNoticed) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(9, 30), folder / "a");
+  const std::string bytes = content(folder / "a");
+  const auto begin = [&](const char* section) {
+    return bytes.find(section) - 16;
+  };  // its head is before its name
+  const std::size_t velocity = begin("velocity"), spin = begin("spin"), force = begin("force");
+  std::ofstream(folder / "b", std::ios::binary)
+      << bytes.substr(0, velocity) + bytes.substr(spin, force - spin) +
+             bytes.substr(velocity, spin - velocity) + bytes.substr(force);
+  EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }).find("section 'velocity': damaged"),
+            std::string::npos);
+}
+
+/// A large one, cut at every page as a disk might, and with bits turned over anywhere.
+TEST(ReliableCheckpoint, DamageToALargeOneIsNoticed) {
+  const TemporaryFolder folder;
+  write_checkpoint(example(10, 5000), folder / "a");
+  const std::string bytes = content(folder / "a");
+  for (std::size_t length = 0; length < bytes.size(); length += 4096) {
+    std::ofstream(folder / "b", std::ios::binary) << bytes.substr(0, length);
+    ASSERT_NE(input_error([&] { read_checkpoint(folder / "b"); }), "") << length;
+  }
+  std::mt19937_64 random(2);
+  for (int n = 0; n < 300; ++n) {
+    std::string changed = bytes;
+    char& byte = changed[random() % changed.size()];
+    byte = static_cast<char>(byte ^ (1 << random() % 8));
+    std::ofstream(folder / "b", std::ios::binary) << changed;
+    ASSERT_NE(input_error([&] { read_checkpoint(folder / "b"); }), "");
+  }
+}
+
 /// A count of elements that nothing backs must not be believed, whatever it is.
-TEST(Checkpoint, HugeCountsAllocateNothing) {
+TEST(ReliableCheckpoint, HugeCountsAllocateNothing) {
   const TemporaryFolder folder;
   write_checkpoint(example(5, 20), folder / "a");
   const std::string bytes = content(folder / "a");
@@ -130,7 +164,7 @@ TEST(Checkpoint, HugeCountsAllocateNothing) {
   }
 }
 
-TEST(Checkpoint, WhatIsNoPackingIsRefused) {
+TEST(ReliableCheckpoint, WhatIsNoPackingIsRefused) {
   const TemporaryFolder folder;
   const auto message = [&](auto change) {
     Checkpoint a = example(6, 20);
@@ -151,7 +185,7 @@ TEST(Checkpoint, WhatIsNoPackingIsRefused) {
   EXPECT_TRUE(names(message([](Packing& p) { p.cell.edges.zz = 0; }), "cell"));
 }
 
-TEST(Checkpoint, NamesAnotherVersion) {
+TEST(ReliableCheckpoint, NamesAnotherVersion) {
   const TemporaryFolder folder;
   write_checkpoint(example(7, 8), folder / "a");
   std::string bytes = content(folder / "a");
@@ -160,12 +194,12 @@ TEST(Checkpoint, NamesAnotherVersion) {
   EXPECT_NE(input_error([&] { read_checkpoint(folder / "b"); }).find("another version"), std::string::npos);
 }
 
-TEST(Checkpoint, AFailedWriteLeavesTheOldOne) {
+TEST(ReliableCheckpoint, AFailedWriteLeavesTheOldOne) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_checkpoint(example(8, 8), folder / "none/a"), OutputError);
 }
 
-TEST(Checkpoint, IsKnownByItsFirstBytes) {
+TEST(ReliableCheckpoint, IsKnownByItsFirstBytes) {
   const TemporaryFolder folder;
   write_checkpoint({random_packing(1), "", {}}, folder / "a");
   EXPECT_TRUE(is_checkpoint(folder / "a"));

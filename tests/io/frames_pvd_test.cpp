@@ -10,7 +10,7 @@ TEST(FramesPvd, CanBeContinued) {
   std::vector<SavedFrame> frames;
   for (std::size_t k = 0; k < 3; ++k) {
     frames.push_back({0.1 * static_cast<double>(k), frame_file(k * 1000)});
-    write_frames(frames, folder / "frames.pvd");
+    write_file(folder / "frames.pvd", frames_text(frames));
     EXPECT_EQ(read_frames(folder / "frames.pvd"), frames);
   }
   EXPECT_EQ(frames[1].file, "frames/packing_001000.vtp");
@@ -19,7 +19,7 @@ TEST(FramesPvd, CanBeContinued) {
 
 TEST(FramesPvd, RefusesWhatIsNoCollection) {
   const TemporaryFolder folder;
-  write_frames({{1.5, "a.vtp"}}, folder / "a.pvd");
+  write_file(folder / "a.pvd", frames_text({{1.5, "a.vtp"}}));
   expect_refused(content(folder / "a.pvd"),
                  {
                      {"Collection", "PolyData", "not a ParaView collection"},

@@ -39,7 +39,7 @@ Measures example(std::int64_t step) {
 TEST(History, HasAColumnForEachNumber) {
   const TemporaryFolder folder;
   const Measures m = example(1000);
-  History(folder / "history.csv", 0).add(m);
+  History(folder / "history.csv").add(m);
   const auto lines = split(content(folder / "history.csv"), '\n');
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], history_columns());
@@ -100,47 +100,37 @@ using Steps = std::vector<std::string>;
 
 TEST(History, ANewFileHasItsHeaderAlone) {
   const TemporaryFolder folder;
-  const History history(folder / "history.csv", 0);
+  const History history(folder / "history.csv");
   EXPECT_EQ(content(folder / "history.csv"), std::string(history_columns()) + "\n");
   EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST(History, GoesOnAfterTheStepOfTheCheckpoint) {
+TEST(History, GoesOnWhereItWasMarked) {
   const TemporaryFolder folder;
   const auto path = folder / "history.csv";
+  FileMark first, second;
   {
-    History history(path, 0);
-    for (std::int64_t step : {500, 1000, 1500, 2000}) history.add(example(step));
-  }
-  {
-    History history(path, 1500);  // the row of that step was written before the checkpoint
-    EXPECT_EQ(steps(path), (Steps{"Step", "500", "1000", "1500"}));
+    History history(path);
+    history.add(example(500));
+    first = history.mark();
+    for (std::int64_t step : {1000, 1500}) history.add(example(step));
+    second = history.mark();
     history.add(example(2000));
   }
-  EXPECT_EQ(steps(path), (Steps{"Step", "500", "1000", "1500", "2000"}));
-  const History history(path, 499);
-  EXPECT_EQ(steps(path), Steps{"Step"});
-}
-
-/// A row that a crash has cut, or a file of another layout, must not stay among the rows.
-TEST(History, LeavesNothingBrokenBehind) {
-  const TemporaryFolder folder;
-  const auto path = folder / "history.csv";
-  History(path, 0).add(example(500));
-  const std::string good = content(path);
-  for (const char* tail : {"1000,1.5,0.6", "1000", "10"}) {
-    write_file(path, good + tail);
-    const History history(path, 5000);
-    EXPECT_EQ(content(path), good) << tail;
+  {
+    History history(path, second);
+    EXPECT_EQ(steps(path), (Steps{"Step", "500", "1000", "1500"}));
+    history.add(example(2000));
+    EXPECT_EQ(steps(path), (Steps{"Step", "500", "1000", "1500", "2000"}));
   }
-  write_file(path, "Step,Time\n500,1\n");
-  const History history(path, 5000);
-  EXPECT_EQ(steps(path), Steps{"Step"});
+  History history(path, first);
+  EXPECT_EQ(steps(path), (Steps{"Step", "500"}));
+  EXPECT_EQ(history.mark(), first);
 }
 
 TEST(History, SaysWhatItCannotWrite) {
   const TemporaryFolder folder;
-  EXPECT_THROW(History(folder / "none/history.csv", 0), OutputError);
+  EXPECT_THROW(History(folder / "none/history.csv"), OutputError);
 }
 
 }  // namespace

@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <sstream>
+
+#include "cases/recording.h"
+#include "engine/start/mixture.h"
+#include "tests/cases/runs.h"
+#include "tests/cases/same_run.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int window = 300;  // steps
+
+/// A gas in a cell with an edge too many along x, which is the same lattice but must be flipped.
+Packing tilted_gas() {
+  Packing p =
+      dilute_start({.size_ratio = 2, .small_fraction = 0.5, .large = 6, .start_fraction = 0.3, .seed = 3});
+  p.cell.edges.xy += p.cell.edges.xx;
+  for (Fraction& s : p.fraction) s.x -= s.y;
+  return p;
+}
+
+/// So hasty that within the window spheres touch for the first time, stick and slip, the cell is flipped,
+/// rattlers are stilled and looks fill the window of the verdict; rows and frames are written all along.
+constexpr const char* hasty_case = R"([start]
+file = "gas.checkpoint"
+[contact]
+friction = 0.1
+[compaction]
+pressure = [2e-2, 3e-2]
+inertia = 0.02
+drag = 1.0
+[stop]
+stress_error = 1.0
+force_imbalance = 1.0
+kinetic_energy = 1.0
+strain_drift = 1.0
+window = 50
+steps = 300
+[compute]
+threads = 1
+[output]
+history_every = 7
+snapshot_every = 60
+picture = "none"
+)";
+
+class HastyRuns : public Runs {
+ public:
+  HastyRuns() : Runs(hasty_case) { write_checkpoint({tilted_gas(), "", {}}, path("gas.checkpoint")); }
+};
+
+/// The numbers of a column of history.csv.
+std::vector<double> column(const Runs& runs, const std::string& run, const std::string& name) {
+  std::istringstream in(content(runs.path(run + "/history.csv")));
+  std::string line, word;
+  std::getline(in, line);
+  std::istringstream header(line);
+  int index = 0;
+  while (std::getline(header, word, ',') && word != name) ++index;
+  std::vector<double> values;
+  while (std::getline(in, line)) {
+    std::istringstream row(line);
+    for (int k = 0; k <= index; ++k) std::getline(row, word, ',');
+    values.push_back(std::stod(word));
+  }
+  return values;
+}
+
+/// Guards the tests below: bits that agree say nothing about a window in which nothing happens.
+TEST(ReliableSplitRun, TheWindowHasAllThatCanHappen) {
+  const HastyRuns runs;
+  ASSERT_EQ(runs.run("whole").code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.run("start", {"stop.steps=0"}).code, ExitCode::budget_spent);
+  const auto result = runs.result("whole");
+  EXPECT_EQ(result["flips"], 1);
+  EXPECT_GT(result["rattlers_stilled"], 0);
+  EXPECT_GT(result["lists_built"], 5);
+  EXPECT_EQ(read_frames(runs.path("whole/frames.pvd")).size(), 5u);
+  const auto contacts = column(runs, "whole", "Contacts");
+  EXPECT_TRUE(Checkpoints::read_newest(runs.path("start")).packing.contacts.empty());
+  EXPECT_GT(contacts.back(), 50);
+  const auto sliding = column(runs, "whole", "SlidingShare");
+  EXPECT_TRUE(std::any_of(sliding.begin(), sliding.end(), [](double s) { return s > 0.1 && s < 0.95; }));
+}
+
+/// Every step ends a process, and every process begins where another has ended: in a chain of processes that
+/// take one step each, and from each link of it straight to the end.
+TEST(ReliableSplitRun, IsTheSameWhereverItIsSplit) {
+  const HastyRuns runs;
+  ASSERT_EQ(runs.run("whole").code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.run("chain", {"stop.steps=0"}).code, ExitCode::budget_spent);
+  const std::string end = std::to_string(window);
+  for (int step = 1; step <= window; ++step) {
+    fs::copy(runs.path("chain"), runs.path("rest"), fs::copy_options::recursive);
+    ASSERT_EQ(runs.resume("rest", {"--steps", end}).code, ExitCode::budget_spent) << step;
+    ASSERT_EQ(difference(runs.path("whole"), runs.path("rest")), "")
+        << "split after " << step - 1 << " steps";
+    fs::remove_all(runs.path("rest"));
+    const Answer link = runs.resume("chain", {"--steps", std::to_string(step)});
+    ASSERT_EQ(link.code, ExitCode::budget_spent) << link.err;
+  }
+  EXPECT_EQ(difference(runs.path("whole"), runs.path("chain")), "");
+}
+
+/// Goes on from the older of the two checkpoints, that is, from behind what the files already hold.
+TEST(ReliableSplitRun, FilesThatAreAheadAreCutBack) {
+  const HastyRuns runs;
+  ASSERT_EQ(runs.run("whole").code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.run("back", {"stop.steps=90"}).code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.resume("back", {"--steps", "250"}).code, ExitCode::budget_spent);
+  const auto newest = Checkpoints::find_newest(runs.path("back"));
+  ASSERT_EQ(newest.checkpoint.packing.step, 250);
+  std::string bytes = content(runs.path("back/" + newest.file));
+  bytes.resize(bytes.size() / 2);
+  write_file(runs.path("back/" + newest.file), bytes);
+  const Answer answer = runs.resume("back", {"--steps", "300"});
+  ASSERT_EQ(answer.code, ExitCode::budget_spent);
+  EXPECT_THAT(answer.err, testing::HasSubstr("going on from the older checkpoint"));
+  EXPECT_EQ(difference(runs.path("whole"), runs.path("back")), "");
+}
+
+/// Files that somebody has changed are not gone on with.
+TEST(ReliableSplitRun, RefusesFilesThatAreNotItsOwn) {
+  const HastyRuns runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=130"}).code, ExitCode::budget_spent);
+  const std::pair<const char*, const char*> table[] = {{"a/history.csv", "\n7,"},
+                                                       {"a/frames.pvd", "timestep=\""}};
+  for (const auto& [name, before] : table) {
+    const std::string good = content(runs.path(name));
+    std::string changed = good;
+    changed[changed.find(before) + std::strlen(before)] = '7';
+    write_file(runs.path(name), changed);
+    const Answer answer = runs.resume("a", {"--steps", "200"});
+    EXPECT_EQ(answer.code, ExitCode::bad_case) << name;
+    EXPECT_THAT(answer.err, testing::HasSubstr("put them back"));
+    write_file(runs.path(name), good);
+  }
+  EXPECT_EQ(runs.resume("a", {"--steps", "200"}).code, ExitCode::budget_spent);
+}
+
+/// A run that is told to go on after its verdict has nothing to do but to tell it again.
+TEST(ReliableSplitRun, AVerdictIsFoundOnce) {
+  const HastyRuns runs;
+  const std::vector<std::string> set{"compaction.pressure=2e-2", "stop.steps=10_000"};
+  ASSERT_EQ(runs.run("whole", set).code, ExitCode::done);
+  ASSERT_EQ(runs.run("twice", set).code, ExitCode::done);
+  fs::remove(runs.path("twice/result.json"));  // killed after the last checkpoint, say
+  const Answer again = runs.resume("twice");
+  EXPECT_EQ(again.code, ExitCode::done);
+  EXPECT_THAT(again.out, testing::HasSubstr("verdict   jammed"));
+  EXPECT_EQ(difference(runs.path("whole"), runs.path("twice")), "");
+}
+
+}  // namespace
+}  // namespace furnas
