@@ -14,8 +14,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 using Tag = hn::ScalableTag<T>;
 
-/// Asks for the cache lines of some records that will be written soon, with the right to write them: another core may
-/// have read them.
+/// Asks for the cache lines of some records that will be written soon, with the right to write them: another
+/// core may have read them.
 template <class Record>
 HWY_INLINE void fetch_to_write(const Record* records, std::size_t count) {
   const char* const bytes = reinterpret_cast<const char*>(records);

@@ -75,8 +75,9 @@ class TouchingRows {
   using D = Lanes<double>;
   static constexpr std::size_t lanes = D::count;
 
-  /// Asks for the records of the partners in rows that come next. They lie anywhere; without this the processor would
-  /// wait for each of those that another core has written, or that its caches are too small for.
+  /// Asks for the records of the partners in rows that come next. They lie anywhere; without this the
+  /// processor would wait for each of those that another core has written, or that its caches are too small
+  /// for.
   void fetch(std::uint64_t row, std::uint64_t stop) const {
     fetch_to_write(loop_.rows + row, stop - row);
     if constexpr (S::spins) fetch_to_write(loop_.springs + row, stop - row);

@@ -1,5 +1,7 @@
 #include "tests/cases/same_run.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -61,7 +63,8 @@ std::string difference_of_checkpoints(const fs::path& a, const fs::path& b) {
   if (state_hash(p.packing) != state_hash(q.packing)) return "the states of the checkpoints differ; ";
   for (const auto& [key, value] : lasting_memory(p))
     if (lasting_memory(q)[key] != value)
-      return "the checkpoints differ in '" + key + "':\n" + value + "\nand\n" + lasting_memory(q)[key] + "; ";
+      return fmt::format("the checkpoints differ in '{}':\n{}\nand\n{}; ", key, value,
+                         lasting_memory(q)[key]);
   return {};
 }
 
@@ -71,7 +74,7 @@ std::string parting(const std::string& a, const std::string& b) {
       std::mismatch(a.begin(), a.begin() + static_cast<long>(std::min(a.size(), b.size())), b.begin()).first -
       a.begin());
   const std::size_t line = a.rfind('\n', at) == std::string::npos ? 0 : a.rfind('\n', at) + 1;
-  return "'" + a.substr(line, 200) + "' and '" + b.substr(line, 200) + "'";
+  return fmt::format("'{}' and '{}'", a.substr(line, 200), b.substr(line, 200));
 }
 
 }  // namespace

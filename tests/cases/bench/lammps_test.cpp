@@ -85,8 +85,9 @@ TEST(BenchPeers, PlaysInTurnAndComparesForces) {
           "case \"$*\" in *'style multi'*'skin 0.1 '*) t=0.5 ;; *) t=1 ;; esac\n"
           "echo \"Loop time of $t on 1 procs for 10 steps\nNeighbor list builds = 3\" >log.lammps\n");
   const Path path(runs.path(""), false);
-  const Answer answer = furnas({"bench", "peers", test_data("a3.data"), "--ranks", "1", "--steps", "10",
-                                "--pairs", "2", "--skins", "0.05,0.1", "--out", runs.path("work")});
+  const Answer answer =
+      furnas({"bench", "peers", test_data("a3.data"), "--ranks", "1", "--precision", "double", "--steps",
+              "10", "--pairs", "2", "--skins", "0.05,0.1", "--out", runs.path("work")});
   ASSERT_EQ(answer.code, ExitCode::done) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("best: multi, skin 0.1\n"));
   EXPECT_THAT(answer.out, HasSubstr("LAMMPS  0.0064 (0.0064 - 0.0064) Mps"));

@@ -93,7 +93,8 @@ TEST_P(MixedPrecision, MovesWhatIsNearlyAtRest) {
   EXPECT_NEAR(way.z, 3e-12 * time, 2e-13);  // its rounding in a cell of 128 is 2^-46
 }
 
-// Over some steps of a packing the two stay together: a rounding a step, ten times grown between touching spheres.
+// Over some steps of a packing the two stay together: a rounding a step, ten times grown between touching
+// spheres.
 TEST_P(MixedPrecision, StaysWithDoublePrecisionAtFirst) {
   constexpr int steps = 200;
   const Both both = both_after(model, start, steps);

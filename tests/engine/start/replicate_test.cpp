@@ -59,7 +59,7 @@ TEST(Replicate, TakesTheSameForcesAsAStart) {
   EXPECT_LT(largest_deviation(p.force, fresh.force), 1e-13);
   EXPECT_LT(largest_deviation(p.torque, fresh.torque), 1e-13);
   EXPECT_NEAR(p.stress.contacts.trace(), 6 * fresh.stress.contacts.trace(),
-              1e-12 * fresh.stress.contacts.trace());
+              1e-12 * p.stress.contacts.trace());
 }
 
 /// With the inertia in proportion the cell of the replicate answers as the original's; what is left is its
