@@ -33,8 +33,8 @@ ForceDistribution distribution(const Packing& p, const Selection& contacts, cons
   return found;
 }
 
-/// Rounding of forces that were scaled down to the limit.
-constexpr double hair = 1e-9;
+/// Rounding of forces that were scaled down to the limit, in single precision.
+constexpr double hair = 1e-6;
 
 }  // namespace
 
