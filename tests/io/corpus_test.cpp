@@ -69,7 +69,7 @@ TEST_P(ReliableCorpus, NorDoItsNeighbours) {
   std::cout << "inputs tried: " << tried + inputs.size() << '\n';
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ReliableCorpus,
+INSTANTIATE_TEST_SUITE_P(Reliable, ReliableCorpus,
                          testing::ValuesIn(fuzz_targets().begin(), fuzz_targets().end()),
                          [](const auto& test) {
                            std::string name(test.param.name);
