@@ -14,7 +14,7 @@ class Memory {
   explicit Memory(const Packing& p) : p_(p) {
     for (std::uint32_t n = 0; n < p.contacts.size(); ++n) {
       const Contact& c = p.contacts[n];
-      entries_.push_back({std::minmax(c.i, c.j), n});
+      entries_.emplace_back(std::minmax(c.i, c.j), n);
     }
     std::sort(entries_.begin(), entries_.end());
   }
