@@ -16,7 +16,7 @@
 #include "engine/base/require.h"
 #include "engine/events/flip.h"
 #include "engine/events/limits.h"
-#include "engine/events/still_rattlers.h"
+#include "engine/events/quench.h"
 #include "engine/state/fingerprint.h"
 #include "engine/state/validate.h"
 #include "io/atomic_file.h"
@@ -191,7 +191,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.rest = watch_.report();
   result.reason = outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_)
                                           : outcome.failure;
-  result.rattlers_stilled = count_of<StillRattlers>(events_);
+  result.quenches = count_of<Quench>(events_);
   result.flips = count_of<Flip>(events_);
   result.state_hash = state_hash(now_.packing());
   for (Species s : now_.packing().species) ++(s == Species::large ? result.large : result.small);

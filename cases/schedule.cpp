@@ -5,7 +5,7 @@
 #include "engine/events/limits.h"
 #include "engine/events/monitor.h"
 #include "engine/events/renew_order.h"
-#include "engine/events/still_rattlers.h"
+#include "engine/events/quench.h"
 
 namespace furnas {
 namespace {
@@ -70,7 +70,7 @@ Events schedule(RunContext& run) {
   if (c.output.snapshot_every > 0) add(std::make_unique<RecordFrame>(run.folder, c.output.snapshot_every));
   if (can_rest) add(std::make_unique<NextPressure>(run.watch, later_pressures(c, run), run.reached));
   if (can_rest) add(std::make_unique<AtRest>(run.watch));
-  if (can_rest && c.stop.criterion == "rest") add(std::make_unique<StillRattlers>(run.watch));
+  if (can_rest && c.stop.criterion == "rest") add(std::make_unique<Quench>(run.watch));
   add(std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
   add(std::make_unique<SaveCheckpoint>(run.checkpoints, run.whole, c.output.checkpoint_minutes,
                                        run.requests.save, run.requests.attention));

@@ -47,7 +47,7 @@ constexpr Column columns[] = {
      [](const Measures& m) { return per_particle(m.ledger.losses.tangential_damping, m); }},
     {"Sliding", [](const Measures& m) { return per_particle(m.ledger.losses.sliding, m); }},
     {"Opening", [](const Measures& m) { return per_particle(m.ledger.losses.opening, m); }},
-    {"Stilled", [](const Measures& m) { return per_particle(m.ledger.stilled, m); }},
+    {"Quenched", [](const Measures& m) { return per_particle(m.ledger.quenched, m); }},
     {"EnergyGap", [](const Measures& m) { return per_particle(m.ledger.gap(m.energy.total()), m); }},
 };
 

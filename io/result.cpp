@@ -57,7 +57,7 @@ Json energy(const Measures& m) {
           {"tangential_damping", number(l.losses.tangential_damping)},
           {"sliding", number(l.losses.sliding)},
           {"opening", number(l.losses.opening)},
-          {"stilled", number(l.stilled)},
+          {"quenched", number(l.quenched)},
           {"relative_gap", number(l.relative_gap(m.energy.total()))}};
 }
 
@@ -105,7 +105,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"contacts", m.contacts},
       {"backbone_threshold", m.backbone_threshold},
       {"rattlers", rattlers(r)},
-      {"rattlers_stilled", r.rattlers_stilled},
+      {"quenches", r.quenches},
       {"energy", energy(m)},
       {"sliding_share", m.sliding_share},
       {"largest_overlap", number(m.largest_overlap)},

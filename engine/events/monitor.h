@@ -22,7 +22,7 @@ class Monitor final : public Event {
   /// What the momentum is compared with.
   struct Momentum {
     Vec3<double> sum;         ///< sum m v [rho d_s^4/time]
-    double flow{};            ///< sum m |v|
+    double spread{};          ///< root of sum (m v)^2, the momentum that chance would leave
     Triangle edges;           ///< of the cell [d_s]
     std::int64_t step{};      ///< when it was taken
     std::int64_t replaced{};  ///< how often an event had changed the packing

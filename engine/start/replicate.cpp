@@ -53,7 +53,7 @@ struct Edge {
 
 Ledger times_as_much(double factor, const Ledger& ledger) {
   Ledger all = ledger;
-  for (double* sum : {&all.initial, &all.cell_work, &all.stilled}) *sum *= factor;
+  for (double* sum : {&all.initial, &all.cell_work, &all.quenched}) *sum *= factor;
   Triangle& push = all.last.push;
   for (double* sum : {&push.xx, &push.yy, &push.zz, &push.yz, &push.xz, &push.xy}) *sum *= factor;
   all.losses = factor * ledger.losses;

@@ -58,11 +58,11 @@ struct Ledger {
   double initial{};    ///< energy at the start
   double cell_work{};  ///< done by the moving cell on the particles
   Losses losses;
-  double stilled{};  ///< kinetic energy taken out of rattlers
+  double quenched{};  ///< kinetic energy taken out by Quench
   ContactWork last;  ///< of the last step: a force acts over half a step before its instant and after it
 
   /// What the balance misses of `energy`: 0 but for the error of the time step.
-  double gap(double energy) const { return energy - initial - cell_work + losses.total() + stilled; }
+  double gap(double energy) const { return energy - initial - cell_work + losses.total() + quenched; }
 
   /// The gap as a share of the energy that went through: the start's and the cell's work.
   double relative_gap(double energy) const {

@@ -225,8 +225,8 @@ TEST_P(ContactIntegrator, MovesPhi) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Nightly, ContactIntegrator,
-                         testing::Values(Mixed{5, 0.2, 30}, Mixed{5, 0.45, 10}, Mixed{8, 0.2, 8},
-                                         Mixed{8, 0.45, 4}));
+                         testing::Values(Mixed{5, 0.2, 30}, Mixed{5, 0.45, 10}, Mixed{8, 0.2, 30},
+                                         Mixed{8, 0.45, 10}));
 
 }  // namespace
 }  // namespace furnas

@@ -25,7 +25,7 @@ TEST(ReliableResume, GoesOnToTheSameBits) {
   EXPECT_EQ(difference(runs.path("parts"), runs.path("whole")), "");
 }
 
-/// The last windows before rest are the hard part: looks, stilled rattlers and the verdict depend on them.
+/// The last windows before rest are the hard part: looks, quenches and the verdict depend on them.
 TEST(ReliableResume, ComesToRestAtTheSameStep) {
   const Runs runs;
   ASSERT_EQ(runs.run("whole").code, ExitCode::done);

@@ -79,12 +79,12 @@ TEST(History, HasAColumnForEachNumber) {
   EXPECT_EQ(value("TangentialDamping"), m.ledger.losses.tangential_damping / 10);
   EXPECT_EQ(value("Sliding"), m.ledger.losses.sliding / 10);
   EXPECT_EQ(value("Opening"), m.ledger.losses.opening / 10);
-  EXPECT_EQ(value("Stilled"), m.ledger.stilled / 10);
+  EXPECT_EQ(value("Quenched"), m.ledger.quenched / 10);
   const Energy& e = m.energy;
   const Ledger& l = m.ledger;
   EXPECT_NEAR(value("EnergyGap"),
               (e.kinetic + e.normal + e.tangential - l.initial - l.cell_work + l.losses.normal_damping +
-               l.losses.tangential_damping + l.losses.sliding + l.losses.opening + l.stilled) /
+               l.losses.tangential_damping + l.losses.sliding + l.losses.opening + l.quenched) /
                   10,
               1e-15);
 }

@@ -4,15 +4,16 @@
 
 namespace furnas {
 
-/// Stops the rattlers once the backbone is nearly at rest.
+/// Takes out all motion, of the particles and of the cell, once the packing is nearly at rest.
 ///
-/// No law damps the spin of a sphere about its contact normal, so with friction rattlers whirl on for ever
-/// and keep knocking at a backbone that has long settled. Taking out their motion changes no position;
-/// docs/decisions.md has the measurement.
-class StillRattlers final : public Event {
+/// What still moves then is what no law damps: a sphere that spins about its contact normal, rattlers that
+/// knock at a backbone long settled, a cell that shears to and fro while contacts see peculiar velocities
+/// alone. It changes no position and no force, only the time until they balance; docs/decisions.md has the
+/// measurement.
+class Quench final : public Event {
  public:
-  explicit StillRattlers(RestWatch& watch) : watch_(watch) {}
-  const char* name() const override { return "still the rattlers"; }
+  explicit Quench(RestWatch& watch) : watch_(watch) {}
+  const char* name() const override { return "quench"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.window_length()); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
