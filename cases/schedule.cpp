@@ -4,8 +4,8 @@
 #include "engine/events/flip.h"
 #include "engine/events/limits.h"
 #include "engine/events/monitor.h"
-#include "engine/events/renew_order.h"
 #include "engine/events/quench.h"
+#include "engine/events/renew_order.h"
 
 namespace furnas {
 namespace {

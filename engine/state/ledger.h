@@ -59,7 +59,7 @@ struct Ledger {
   double cell_work{};  ///< done by the moving cell on the particles
   Losses losses;
   double quenched{};  ///< kinetic energy taken out by Quench
-  ContactWork last;  ///< of the last step: a force acts over half a step before its instant and after it
+  ContactWork last;   ///< of the last step: a force acts over half a step before its instant and after it
 
   /// What the balance misses of `energy`: 0 but for the error of the time step.
   double gap(double energy) const { return energy - initial - cell_work + losses.total() + quenched; }
