@@ -34,7 +34,7 @@ Names events_of(const Case& c, bool walltime = false) {
 TEST(Schedule, HasItsOrder) {
   Case c;
   EXPECT_EQ(events_of(c), (Names{"monitor", "flip", "renew the order", "history", "next pressure", "at rest",
-                                 "still the rattlers", "progress", "checkpoint", "budget", "interrupted"}));
+                                 "quench", "progress", "checkpoint", "budget", "interrupted"}));
   c.output.snapshot_every = 10;
   c.stop.criterion = "paper";
   EXPECT_EQ(events_of(c, true),
