@@ -6,11 +6,21 @@ namespace furnas {
 
 bool Quench::due(Observation& now) {
   constexpr double nearly = 100;  // times the limits; the stress, which the cell follows at once, 10 times
+  constexpr std::int64_t patience = 10;
   const RestReport& r = watch_.look(now);
   const RestCriteria& c = watch_.criteria();
-  return r.backbone > 0 && r.stress_error < 10 * c.stress_error &&
-         r.kinetic_energy < nearly * c.kinetic_energy && r.force_imbalance < nearly * c.force_imbalance &&
-         r.strain_drift < nearly * c.strain_drift;
+  const bool slow = r.backbone > 0 && r.stress_error < 10 * c.stress_error &&
+                    r.kinetic_energy < nearly * c.kinetic_energy && r.strain_drift < nearly * c.strain_drift;
+  slow_windows_ = slow ? slow_windows_ + 1 : 0;
+  return slow && (r.force_imbalance < nearly * c.force_imbalance || slow_windows_ > patience);
+}
+
+std::string Quench::memory() { return std::to_string(count_) + ' ' + std::to_string(slow_windows_); }
+
+void Quench::recall(const std::string& memory) {
+  const auto space = memory.find(' ');
+  count_ = recalled_count(memory.substr(0, space));
+  slow_windows_ = recalled_count(space == std::string::npos ? "" : memory.substr(space + 1));
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {

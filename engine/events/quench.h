@@ -4,12 +4,13 @@
 
 namespace furnas {
 
-/// Takes out all motion, of the particles and of the cell, once the packing is nearly at rest.
+/// Takes out all motion, of the particles and of the cell, once the packing is nearly at rest: when all
+/// limits of the verdict hold a hundred times over, or for ten windows all but that of the force balance.
 ///
 /// What still moves then is what no law damps: a sphere that spins about its contact normal, rattlers that
 /// knock at a backbone long settled, a cell that shears to and fro while contacts see peculiar velocities
-/// alone. It changes no position and no force, only the time until they balance; docs/decisions.md has the
-/// measurement.
+/// alone, soft modes of many spheres without friction that keep each other moving. It changes no position and
+/// no force, only the time until they balance; docs/decisions.md has the measurement.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}
@@ -18,8 +19,8 @@ class Quench final : public Event {
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
-  std::string memory() override { return std::to_string(count_); }
-  void recall(const std::string& memory) override { count_ = recalled_count(memory); }
+  std::string memory() override;
+  void recall(const std::string& memory) override;
 
   /// How often it has happened since the run began.
   std::int64_t count() const { return count_; }
@@ -27,6 +28,7 @@ class Quench final : public Event {
  private:
   RestWatch& watch_;
   std::int64_t count_ = 0;
+  std::int64_t slow_windows_ = 0;  ///< ends of windows in a row at which all but the balance was nearly there
 };
 
 }  // namespace furnas

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "engine/analysis/energy.h"
 #include "engine/events/limits.h"
@@ -44,6 +46,36 @@ TEST(Quench, WaitsForTheCellToSettle) {
   };
   EXPECT_TRUE(due(99e-6));
   EXPECT_FALSE(due(102e-6));
+}
+
+/// How many windows it waits while the forces of a slow packing do not balance; at the end of window
+/// `restless` there is a moment of motion, and after window `resumed` another process goes on.
+int windows_until_due(int restless = -1, int resumed = -1) {
+  const auto length = RestWatch({}).window_length();
+  RestingStory story([&](std::int64_t step) {
+    return Unrest{.force_imbalance = 0.5, .kinetic_energy = step == restless * length ? 1.0 : 0.0};
+  });
+  auto quench = std::make_unique<Quench>(story.watch);
+  for (int window = 1; window < 40; ++window) {
+    for (int k = 0; k < 10; ++k) {
+      story.simulation.advance(story.watch.period(), nullptr);
+      story.watch.look(story.now);
+    }
+    if (quench->due(story.now)) return window;
+    if (window == resumed) {
+      const std::string memory = quench->memory();
+      quench = std::make_unique<Quench>(story.watch);
+      quench->recall(memory);
+    }
+  }
+  return 0;
+}
+
+TEST(Quench, DoesNotWaitForEverForTheForcesToBalance) {
+  // the drift is known from the second window on
+  EXPECT_EQ(windows_until_due(), 12);
+  EXPECT_EQ(windows_until_due(5), 16);
+  for (int resumed : {1, 4, 11}) EXPECT_EQ(windows_until_due(5, resumed), 16);
 }
 
 TEST(Quench, TakesOutAllMotionAndNothingElse) {
