@@ -1,5 +1,7 @@
 #include "viz/picture.h"
 
+#include <fmt/format.h>
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -12,10 +14,12 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "engine/base/require.h"
 #include "viz/ambient_occlusion.h"
+#include "viz/force_chains.h"
 #include "viz/offscreen.h"
 #include "viz/palette.h"
 #include "viz/scene.h"
@@ -28,12 +32,17 @@ namespace {
 constexpr std::array<std::array<double, 2>, 4> shifts{
     {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
+/// One for each rendering.
+using Reaches = std::array<double, shifts.size()>;
+
 /// How far from a surface others shade it, from the gaps between small spheres to those between large
 /// ones, and never below what a few pixels can show [d_s].
-std::array<double, shifts.size()> reaches(const Packing& packing, double pixel) {
-  const auto [small, large] = std::minmax_element(packing.radius.begin(), packing.radius.end());
-  const double from = std::max(1.2 * *small, 6 * pixel), to = std::max(3.0 * *large, 12 * pixel);
-  std::array<double, shifts.size()> result;
+Reaches reaches(const std::vector<Sphere>& spheres, double pixel) {
+  const auto [small, large] = std::minmax_element(
+      spheres.begin(), spheres.end(), [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
+  const double from = std::max(1.2 * small->radius, 6 * pixel),
+               to = std::max(3.0 * large->radius, 12 * pixel);
+  Reaches result;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] = from * std::pow(to / from, double(k) / double(result.size() - 1));
   return result;
@@ -74,16 +83,42 @@ class Average {
   int count_ = 0;
 };
 
-}  // namespace
+Cell repeated(const Cell& cell, const std::array<int, 3>& times) {
+  Cell all = cell;
+  all.edges.xx *= times[0];
+  all.edges.xy *= times[1], all.edges.yy *= times[1];
+  all.edges.xz *= times[2], all.edges.yz *= times[2], all.edges.zz *= times[2];
+  return all;
+}
 
-Pixels render(const Packing& packing, const PictureOptions& options) {
-  if (packing.size() == 0) throw InputError("cannot draw: the packing has no particles");
-  OffscreenWindow offscreen(options.width, options.height);
-  const View view = view_of(packing, double(options.width) / options.height, options.cell);
-  const auto renderer = scene_of(packing, view, options.cell);
+/// All that is drawn, hidden or not.
+Drawing drawing_of(const Packing& packing, const PictureOptions& options) {
+  const bool chains = options.style == PictureStyle::chains;
+  Drawing drawing;
+  const Coloured colours = coloured(packing, options.colouring, options.backbone_threshold);
+  drawing.spheres = spheres_of(packing, colours.particles, options.times, options.slice);
+  if (drawing.spheres.empty()) throw InputError("cannot draw: the slice holds the centre of no particle");
+  if (options.cell) drawing.frame = CellFrame{repeated(packing.cell, options.times)};
+  if (!chains) return drawing;
+  const double strongest = strong_force(packing);
+  if (!(strongest > 0)) throw InputError("cannot draw chains: the packing has no contacts");
+  drawing.chains = force_chains(packing, strongest);
+  return drawing;
+}
+
+View view_of(const Packing& packing, const Drawing& drawing, const PictureOptions& options) {
+  const double aspect = double(options.width) / options.height;
+  if (options.room == 0) return view_of(drawing, aspect, options.turn);
+  ViewFit fit(aspect, options.turn);
+  fit.add(repeated(packing.cell, options.times).edges * Vec3<double>{0.5, 0.5, 0.5}, options.room);
+  return fit.view();
+}
+
+/// The mean of several renderings of opaque bodies.
+std::vector<std::uint8_t> draw(OffscreenWindow& offscreen, const Drawing& drawing, const View& view,
+                               const PictureOptions& options, const Reaches& reach) {
+  const auto renderer = scene_of(drawing, view);
   offscreen.vtk().AddRenderer(renderer);
-
-  const auto reach = reaches(packing, view.pixel(view.nearest, options.height));
   vtkSmartPointer<vtkSSAOPass> occlusion;
   if (options.ambient_occlusion) occlusion = add_ambient_occlusion(*renderer);
 
@@ -101,11 +136,63 @@ Pixels render(const Packing& packing, const PictureOptions& options) {
     average.add(*pixels);
   }
   if (!offscreen.complaint().empty()) throw std::runtime_error("cannot draw: " + offscreen.complaint());
-  return {options.width, options.height, average.mean(options.transparent)};
+  offscreen.vtk().RemoveRenderer(renderer);
+  return average.mean(options.transparent);
+}
+
+/// Lays `veil` over `picture`, so thin that what lies behind it is seen.
+void lay_over(std::vector<std::uint8_t>& picture, const std::vector<std::uint8_t>& veil) {
+  constexpr double opacity = 0.15;
+  for (std::size_t k = 0; k < picture.size(); k += 4) {
+    const double over = opacity * veil[k + 3] / 255, under = (1 - over) * picture[k + 3] / 255;
+    if (over + under == 0) continue;
+    for (std::size_t c = k; c < k + 3; ++c)
+      picture[c] =
+          static_cast<std::uint8_t>(std::lround((over * veil[c] + under * picture[c]) / (over + under)));
+    picture[k + 3] = static_cast<std::uint8_t>(std::lround(255 * (over + under)));
+  }
+}
+
+}  // namespace
+
+Pixels render(const Packing& packing, const PictureOptions& options) {
+  if (packing.size() == 0) throw InputError("cannot draw: the packing has no particles");
+  OffscreenWindow offscreen(options.width, options.height);
+  Drawing drawing = drawing_of(packing, options);
+  const View view = view_of(packing, drawing, options);
+  const Reaches reach = reaches(drawing.spheres, view.pixel(view.nearest, options.height));
+  const auto chains = std::exchange(drawing.chains, {});
+  drawing.spheres = visible(drawing.spheres, view, options.width, options.height);
+  std::vector<std::uint8_t> picture = draw(offscreen, drawing, view, options, reach);
+  if (chains) {
+    const std::vector<std::uint8_t> veil = std::move(picture);
+    drawing.spheres.clear();
+    drawing.chains = chains;
+    picture = draw(offscreen, drawing, view, options, reach);
+    lay_over(picture, veil);
+  }
+  return {options.width, options.height, std::move(picture)};
 }
 
 void render_png(const Packing& packing, const std::filesystem::path& path, const PictureOptions& options) {
   write_png(render(packing, options), path, options.transparent);
+}
+
+double room_of(const Packing& packing) {
+  const Vec3<double> middle = packing.cell.edges * Vec3<double>{0.5, 0.5, 0.5};
+  double room = norm(middle);
+  for (std::size_t k = 0; k < packing.size(); ++k)
+    room = std::max(room, norm(packing.position(k) - middle) + packing.radius[k]);
+  return room;
+}
+
+std::string key_of(const Packing& packing, const PictureOptions& options) {
+  std::string key = coloured(packing, options.colouring, options.backbone_threshold).key;
+  if (options.style == PictureStyle::chains)
+    key +=
+        fmt::format("; tubes: normal force from {:.2g} (dark blue) to {:.2g} k_n d_s (yellow), logarithmic",
+                    1e-2 * strong_force(packing), strong_force(packing));
+  return key;
 }
 
 }  // namespace furnas

@@ -17,7 +17,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -32,51 +31,31 @@ Vec3<double> corner(const Cell& cell, int number) {
   return cell.edges * Vec3<double>{double(number & 1), double(number >> 1 & 1), double(number >> 2 & 1)};
 }
 
-/// Of the tubes along the cell's edges [d_s].
-double edge_radius(const Cell& cell) { return 0.0016 * norm(corner(cell, 7)); }
-
-vtkNew<vtkPoints> centres(const Packing& packing) {
-  vtkNew<vtkPoints> points;  // floats, ample for a picture
-  points->SetNumberOfPoints(static_cast<vtkIdType>(packing.size()));
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    const Vec3<double> p = packing.position(k);
-    points->SetPoint(static_cast<vtkIdType>(k), p.x, p.y, p.z);
-  }
-  return points;
-}
-
-vtkNew<vtkFloatArray> radii(const Packing& packing) {
-  vtkNew<vtkFloatArray> array;
-  array->SetName(radius_name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(packing.size()));
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    array->SetValue(static_cast<vtkIdType>(k), static_cast<float>(packing.radius[k]));
-  return array;
-}
-
-vtkNew<vtkUnsignedCharArray> colours(const Packing& packing) {
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(packing.size()));
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    for (int c = 0; c < 3; ++c)
-      array->SetTypedComponent(
-          static_cast<vtkIdType>(k), c,
-          static_cast<unsigned char>(std::lround(255 * colour_of(packing.species[k])[c])));
-  return array;
-}
-
-vtkNew<vtkActor> spheres(const Packing& packing) {
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(centres(packing));
-  data->GetPointData()->AddArray(radii(packing));
-  data->GetPointData()->SetScalars(colours(packing));
-
+vtkNew<vtkActor> actor_of(const std::vector<Sphere>& spheres) {
+  const auto count = static_cast<vtkIdType>(spheres.size());
+  vtkNew<vtkPoints> centres;
+  centres->SetNumberOfPoints(count);
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName(radius_name);
+  radii->SetNumberOfTuples(count);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(count);
   // The mapper draws vertices, not points: one cell that names them all.
   vtkNew<vtkCellArray> vertices;
   vertices->Use32BitStorage();
-  vertices->InsertNextCell(static_cast<int>(packing.size()));
-  for (std::size_t k = 0; k < packing.size(); ++k) vertices->InsertCellPoint(static_cast<vtkIdType>(k));
+  vertices->InsertNextCell(static_cast<int>(count));
+  for (vtkIdType k = 0; k < count; ++k) {
+    const Sphere& sphere = spheres[static_cast<std::size_t>(k)];
+    centres->SetPoint(k, sphere.centre.x, sphere.centre.y, sphere.centre.z);
+    radii->SetValue(k, sphere.radius);
+    colours->SetTypedTuple(k, sphere.colour.data());
+    vertices->InsertCellPoint(k);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(centres);
+  data->GetPointData()->AddArray(radii);
+  data->GetPointData()->SetScalars(colours);
   data->SetVerts(vertices);
 
   vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -92,10 +71,10 @@ vtkNew<vtkActor> spheres(const Packing& packing) {
   return actor;
 }
 
-vtkNew<vtkActor> edges(const Cell& cell) {
+vtkNew<vtkActor> actor_of(const CellFrame& frame) {
   vtkNew<vtkPoints> points;
   for (int n = 0; n < 8; ++n) {
-    const Vec3<double> p = corner(cell, n);
+    const Vec3<double> p = corner(frame.cell, n);
     points->InsertNextPoint(p.x, p.y, p.z);
   }
   vtkNew<vtkCellArray> lines;
@@ -108,7 +87,7 @@ vtkNew<vtkActor> edges(const Cell& cell) {
 
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(data);
-  tubes->SetRadius(edge_radius(cell));
+  tubes->SetRadius(frame.tube());
   tubes->SetNumberOfSides(16);
   tubes->CappingOn();
   vtkNew<vtkPolyDataMapper> mapper;
@@ -144,21 +123,24 @@ void look(vtkCamera& camera, const View& view) {
 
 }  // namespace
 
-View view_of(const Packing& packing, double aspect, bool cell) {
-  ViewFit fit(aspect);
-  for (std::size_t k = 0; k < packing.size(); ++k) fit.add(packing.position(k), packing.radius[k]);
-  if (cell)
-    for (int n = 0; n < 8; ++n) fit.add(corner(packing.cell, n), edge_radius(packing.cell));
+double CellFrame::tube() const { return 0.0016 * norm(corner(cell, 7)); }
+
+View view_of(const Drawing& drawing, double aspect, double turn) {
+  ViewFit fit(aspect, turn);
+  for (const Sphere& s : drawing.spheres) fit.add({s.centre.x, s.centre.y, s.centre.z}, s.radius);
+  if (drawing.frame)
+    for (int n = 0; n < 8; ++n) fit.add(corner(drawing.frame->cell, n), drawing.frame->tube());
   return fit.view();
 }
 
-vtkSmartPointer<vtkRenderer> scene_of(const Packing& packing, const View& view, bool cell) {
+vtkSmartPointer<vtkRenderer> scene_of(const Drawing& drawing, const View& view) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(0, 0, 0);
   renderer->SetBackgroundAlpha(0);
   renderer->AutomaticLightCreationOff();
-  renderer->AddActor(spheres(packing));
-  if (cell) renderer->AddActor(edges(packing.cell));
+  if (!drawing.spheres.empty()) renderer->AddActor(actor_of(drawing.spheres));
+  if (drawing.chains) renderer->AddActor(drawing.chains);
+  if (drawing.frame) renderer->AddActor(actor_of(*drawing.frame));
   shine(*renderer, {-0.5, 0.8, 1}, 0.75);
   shine(*renderer, {0.9, 0.1, 0.7}, 0.30);
   look(*renderer->GetActiveCamera(), view);

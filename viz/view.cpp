@@ -23,10 +23,11 @@ std::array<double, 2> View::project(const Vec3<double>& point) const {
   return {dot(d, right) / (depth * slope_x), dot(d, up) / (depth * slope_y)};
 }
 
-ViewFit::ViewFit(double aspect) {
+ViewFit::ViewFit(double aspect, double turn) {
   using std::cos, std::sin;
-  axes_.right = {cos(azimuth), sin(azimuth), 0};
-  axes_.toward = {sin(azimuth) * cos(elevation), -cos(azimuth) * cos(elevation), sin(elevation)};
+  const double about = azimuth + turn * degree;
+  axes_.right = {cos(about), sin(about), 0};
+  axes_.toward = {sin(about) * cos(elevation), -cos(about) * cos(elevation), sin(elevation)};
   axes_.up = cross(axes_.toward, axes_.right);
   axes_.slope_x = std::tan(half_angle) * std::min(1.0, aspect);
   axes_.slope_y = axes_.slope_x / aspect;

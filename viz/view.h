@@ -24,8 +24,9 @@ struct View {
 /// Finds the view from a fixed direction that just holds everything added.
 class ViewFit {
  public:
-  /// Three-quarter view from the front, right and above for a frame of width / height `aspect`.
-  explicit ViewFit(double aspect);
+  /// Three-quarter view from the front, right and above for a frame of width / height `aspect`, the eye moved
+  /// on to the right by `turn` degrees about the vertical.
+  explicit ViewFit(double aspect, double turn = 0);
 
   /// A sphere that must be seen whole; lengths in d_s.
   void add(const Vec3<double>& centre, double radius);

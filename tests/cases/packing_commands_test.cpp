@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,6 +75,11 @@ TEST(PackingCommands, NameTheFormatsThatTheyKnow) {
       {{"import", runs.path("none.vtp")}, "none.vtp"},
       {{"render", runs.path("a.txt"), "--out", runs.path("a.png")}, "neither its content nor its extension"},
       {{"render", runs.path("a.vtp"), "--size", "3"}, "--size"},
+      {{"render", runs.path("a.vtp"), "--slice", "z=0.6:0.4"}, "two fractions of that edge, like z=0.4:0.6"},
+      {{"render", runs.path("a.vtp"), "--style", "fog"}, "{chains,fig1a}"},
+      {{"render", runs.path("a.vtp"), "--style", "chains", "--times", "2x1x1"},
+       "chains are drawn of one cell"},
+      {{"render", runs.path("a.vtp"), "--compaction"}, "no frames.pvd in it"},
   };
   const std::size_t files = runs.files();
   for (const Wrong& wrong : table) {
@@ -95,6 +101,22 @@ TEST(Render, DrawsAFileAndTheFolderOfARun) {
     EXPECT_EQ(content(out).substr(0, png.size()), png);
     fs::remove(out);
   }
+}
+
+TEST(Render, DrawsTheFramesOfARunAndTurnsAround) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=20", "output.snapshot_every=10"}).code, ExitCode::budget_spent);
+  const auto pictures = [&](const std::vector<std::string>& how) {
+    std::vector<std::string> arguments{"render", runs.path("a"), "--out", runs.path("p.png"), "--size", "64"};
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    EXPECT_EQ(furnas(arguments).code, ExitCode::done);
+    int count = 0;
+    for (; fs::exists(runs.path(fmt::format("p_{:04}.png", count))); ++count)
+      fs::remove(runs.path(fmt::format("p_{:04}.png", count)));
+    return count;
+  };
+  EXPECT_EQ(pictures({"--compaction"}), 2);
+  EXPECT_EQ(pictures({"--turning", "3", "--colour", "rattlers"}), 3);
 }
 
 TEST(Run, DrawsItsPicture) {

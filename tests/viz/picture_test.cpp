@@ -15,6 +15,7 @@
 
 #include "engine/base/require.h"
 #include "viz/scene.h"
+#include "viz/spheres.h"
 
 namespace furnas {
 namespace {
@@ -74,6 +75,13 @@ bool is_grey(const Pixel& p) {
 }
 bool is_gold(const Pixel& p) { return p[3] == 255 && p[0] > 60 && p[0] > p[1] && p[1] > 2 * p[2]; }
 bool is_dark_blue(const Pixel& p) { return p[3] == 255 && p[0] < 70 && p[0] < p[2]; }
+
+/// What a picture of the packing shows.
+Drawing drawing(const Packing& packing, bool cell) {
+  Drawing d{spheres_of(packing, std::vector<Rgb>(packing.size()), {1, 1, 1}, {}), {}, {}};
+  if (cell) d.frame = CellFrame{packing.cell};
+  return d;
+}
 
 /// The share of pixels that are so.
 template <class Condition>
@@ -174,7 +182,7 @@ TEST(Picture, SphereIsWhereTheProjectionSays) {
   Packing packing = one_sphere();
   packing.species[0] = Species::small;  // gold, to tell it from the smoothed edges of the cell
   const Pixels picture = render(packing, {.width = 300, .height = 300});
-  const View view = view_of(packing, 1, true);
+  const View view = view_of(drawing(packing, true), 1);
   double count = 0, x_sum = 0, y_sum = 0;
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 300; ++x)
@@ -190,7 +198,7 @@ TEST(Picture, EachParticleHasTheColourOfItsSpecies) {
   const Packing packing = lattice(2, 0.7, 0.5);  // so sparse that no sphere hides another's middle
   const PictureOptions options{.width = 300, .height = 240, .cell = false};
   const Pixels picture = render(packing, options);
-  const View view = view_of(packing, 300.0 / 240, false);
+  const View view = view_of(drawing(packing, false), 300.0 / 240);
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const Pixel p = pixel(picture, view, packing.position(k));
     EXPECT_TRUE(packing.species[k] == Species::large ? is_grey(p) : is_gold(p)) << "particle " << k;
@@ -200,7 +208,7 @@ TEST(Picture, EachParticleHasTheColourOfItsSpecies) {
 TEST(Picture, EdgesOfTheCellAreDrawnOnRequest) {
   Packing packing = one_sphere();
   packing.cell.edges = {10, 9, 8, 0.8, -0.5, 1.5};
-  const View view = view_of(packing, 1, true);
+  const View view = view_of(drawing(packing, true), 1);
   const Pixels with = render(packing, {.width = 400, .height = 400});
   for (const Vec3<double>& s :
        {Vec3{0.75, 0.0, 0.0}, Vec3{1.0, 0.5, 0.0}, Vec3{1.0, 1.0, 0.5}, Vec3{0.5, 0.0, 1.0}})
@@ -220,14 +228,6 @@ TEST(Picture, AmbientOcclusionDarkensGapsButNotALoneSphere) {
   EXPECT_NEAR(ratio(one_sphere()), 1, 0.03);
 }
 
-TEST(Picture, PrintsNothing) {
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  render(one_sphere(), {.width = 20, .height = 20});
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-}
-
 template <class Action>
 std::string refusal(Action action) {
   try {
@@ -236,6 +236,74 @@ std::string refusal(Action action) {
     return error.what();
   }
   return "";
+}
+
+/// Two spheres of the middle that press each other, and one apart.
+Packing pair() {
+  Packing packing;
+  packing.cell.edges = {10, 10, 10, 0, 0, 0};
+  packing.resize(3);
+  packing.radius = {1, 1, 1};
+  packing.fraction = {to_fraction({0.41, 0.5, 0.5}), to_fraction({0.59, 0.5, 0.5}),
+                      to_fraction({0.2, 0.2, 0.2})};
+  Contact c;
+  c.i = 0, c.j = 1;
+  c.branch = {-1.8, 0, 0};
+  c.force = {-0.2, 0, 0};
+  packing.contacts = {c};
+  return packing;
+}
+
+TEST(Picture, ChainsShowWhatPresses) {
+  const PictureOptions options{.width = 300, .height = 300, .style = PictureStyle::chains};
+  const Packing packing = pair();
+  const Pixels picture = render(packing, options);
+  const View view = view_of(drawing(packing, true), 1);
+  const auto is_yellow = [](const Pixel& p) {
+    return p[0] > 110 && p[1] > 100 && p[2] < 110 && p[1] > 1.5 * p[2];
+  };
+  const auto is_veil = [](const Pixel& p) { return p[0] > 200 && p[0] < 255 && std::abs(p[0] - p[2]) < 12; };
+  EXPECT_TRUE(is_yellow(pixel(picture, view, packing.cell.edges * Vec3<double>{0.5, 0.5, 0.5})));
+  EXPECT_TRUE(is_veil(pixel(picture, view, packing.position(2))));
+  EXPECT_TRUE(is_background(pixel(picture, 1, 1)));
+}
+
+TEST(Picture, ChainsNeedContacts) {
+  EXPECT_THAT(refusal([] { render(one_sphere(), {.style = PictureStyle::chains}); }),
+              HasSubstr("no contacts"));
+}
+
+TEST(Picture, ASliceLeavesTheRestOut) {
+  PictureOptions options{.width = 200, .height = 200, .cell = false, .slice = Slice{2, 0.0, 0.5}};
+  const Packing packing = lattice(2, 0.7, 0.5);
+  options.room = room_of(packing);
+  const Pixels half = render(packing, options);
+  options.slice.reset();
+  const Pixels whole = render(packing, options);
+  const double ratio = (1 - share(half, is_background)) / (1 - share(whole, is_background));
+  EXPECT_NEAR(ratio, 0.5, 0.05);
+  options.slice = Slice{2, 0.45, 0.55};
+  EXPECT_THAT(refusal([&] { render(packing, options); }),
+              HasSubstr("the slice holds the centre of no particle"));
+}
+
+TEST(Picture, ATurnGoesAroundOnOneScale) {
+  PictureOptions options{.width = 100, .height = 100, .cell = false};
+  const Packing packing = lattice(2, 0.7, 0.5);
+  options.room = room_of(packing);
+  const Pixels front = render(packing, options);
+  options.turn = 90;
+  EXPECT_NE(render(packing, options).rgba, front.rgba);
+  options.turn = 360;
+  EXPECT_EQ(render(packing, options).rgba, front.rgba);
+}
+
+TEST(Picture, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  render(one_sphere(), {.width = 20, .height = 20});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
 TEST(Picture, RefusesWhatCannotBeDrawn) {

@@ -1,0 +1,115 @@
+#include "viz/colouring.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/analysis/rattlers.h"
+#include "viz/palette.h"
+
+namespace furnas {
+namespace {
+
+Rgb rgb(const Colour& colour) {
+  Rgb result;
+  for (std::size_t c = 0; c < 3; ++c) result[c] = static_cast<std::uint8_t>(std::lround(255 * colour[c]));
+  return result;
+}
+
+Coloured by_species(const Packing& packing) {
+  Coloured result{{}, "large spheres grey, small ones gold"};
+  for (const Species species : packing.species) result.particles.push_back(rgb(colour_of(species)));
+  return result;
+}
+
+Coloured graded_by(const std::vector<double>& values, double most, const std::string& what) {
+  Coloured result{{}, fmt::format("{} from 0 (dark blue) to {:g} (yellow)", what, most)};
+  for (const double value : values) result.particles.push_back(graded(value / most));
+  return result;
+}
+
+Coloured by_coordination(const Packing& packing) {
+  std::vector<double> contacts(packing.size());
+  for (const Contact& c : packing.contacts) ++contacts[c.i], ++contacts[c.j];
+  // A few large spheres may have thousands: they must not leave all others at one end.
+  constexpr double most = 12;
+  return graded_by(contacts, most, "contacts of a sphere,");
+}
+
+Coloured by_rattlers(const Packing& packing, int threshold) {
+  const std::vector<bool> out = rattlers(packing, live_contacts(packing), threshold);
+  Coloured result{{},
+                  fmt::format("rattlers (fewer than {} live contacts) orange, backbone blue; large spheres "
+                              "paler",
+                              threshold)};
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    Colour colour = out[k] ? orange : blue;
+    if (packing.species[k] == Species::large)
+      for (double& part : colour) part = 0.5 + 0.5 * part;
+    result.particles.push_back(rgb(colour));
+  }
+  return result;
+}
+
+/// The trace of a sphere's own stress: sum of normal force times radius over three times its volume.
+Coloured by_pressure(const Packing& packing) {
+  std::vector<double> pressure(packing.size());
+  double virial = 0, volume = 0;
+  for (const Contact& c : packing.contacts) {
+    const double normal = dot(c.force, c.branch) / norm(c.branch);
+    for (const std::uint32_t k : {c.i, c.j}) {
+      virial += normal * packing.radius[k];
+      pressure[k] += normal * packing.radius[k];
+    }
+  }
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const double own = 4 * std::numbers::pi / 3 * std::pow(packing.radius[k], 3);
+    pressure[k] /= own;
+    volume += own;
+  }
+  const double mean = virial / volume;
+  if (mean > 0)
+    for (double& p : pressure) p /= mean;
+  constexpr double most = 3;
+  return graded_by(pressure, most, "pressure on a sphere against that on all,");
+}
+
+}  // namespace
+
+Rgb graded(double value) {
+  // The map "viridis" of Smith and van der Walt (2015, public domain), every eighth of it.
+  constexpr std::array<Rgb, 9> stops{{{68, 1, 84},
+                                      {71, 44, 122},
+                                      {59, 81, 139},
+                                      {44, 113, 142},
+                                      {33, 144, 141},
+                                      {39, 173, 129},
+                                      {92, 200, 99},
+                                      {170, 220, 50},
+                                      {253, 231, 37}}};
+  const double at = std::clamp(value, 0.0, 1.0) * (stops.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  Rgb result;
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = static_cast<std::uint8_t>(
+        std::lround(std::lerp(double(stops[low][c]), double(stops[low + 1][c]), at - double(low))));
+  return result;
+}
+
+Coloured coloured(const Packing& packing, Colouring colouring, int backbone_threshold) {
+  switch (colouring) {
+    case Colouring::species:
+      return by_species(packing);
+    case Colouring::coordination:
+      return by_coordination(packing);
+    case Colouring::rattlers:
+      return by_rattlers(packing, backbone_threshold);
+    case Colouring::pressure:
+      return by_pressure(packing);
+  }
+  return by_species(packing);
+}
+
+}  // namespace furnas

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/state/packing.h"
+#include "viz/spheres.h"
+
+namespace furnas {
+
+/// What the colour of a particle says.
+enum class Colouring {
+  species,       ///< large grey, small gold
+  coordination,  ///< how many contacts it has
+  rattlers,      ///< whether it is one
+  pressure       ///< what its contacts press on it, against the mean
+};
+
+/// A colour for each particle, and what the colours mean.
+struct Coloured {
+  std::vector<Rgb> particles;
+  std::string key;  ///< for the reader of the picture
+};
+
+/// Colours the particles; those with fewer live contacts than `backbone_threshold` are rattlers.
+Coloured coloured(const Packing& packing, Colouring colouring, int backbone_threshold);
+
+/// From dark blue at 0 over green to yellow at 1, told apart in grey, too; values beyond are as at the ends.
+Rgb graded(double value);
+
+}  // namespace furnas

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include "engine/state/packing.h"
+
+class vtkActor;
+
+namespace furnas {
+
+/// The contacts as tubes from centre to centre, the thicker and brighter (graded, viz/colouring.h) the larger
+/// their normal force. The scale is logarithmic, because forces grow with the square of the size: from a
+/// thousandth of `strongest`, below which nothing is drawn, to `strongest` and more [k_n d_s]. A contact
+/// across a face of the cell shows its two halves, each at its own particle.
+vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest);
+
+/// The normal force that only one contact in a hundred exceeds [k_n d_s]; 0 without contacts.
+double strong_force(const Packing& packing);
+
+}  // namespace furnas
