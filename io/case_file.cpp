@@ -102,9 +102,19 @@ Case read_keys(const toml::table& root, const std::string& name, Places& places)
   return c;
 }
 
+/// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the number
+/// wrong. So what seems wrong is read once more.
+toml::table parse_toml(std::string_view text, std::string_view name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error&) {
+    return toml::parse(text, name);
+  }
+}
+
 Case parse_keys(std::string_view text, const std::string& name, Places& places) {
   try {
-    return read_keys(toml::parse(text, std::string_view(name)), name, places);
+    return read_keys(parse_toml(text, name), name, places);
   } catch (const toml::parse_error& error) {
     throw InputError(explain_syntax(text, name, error.source().begin.line, error.description()));
   }
@@ -131,7 +141,7 @@ toml::table parse_value(const Key& key, const std::string& text) {
   const bool literal = std::holds_alternative<std::string*>(key.field(any)) && !quoted;
   if (!literal) {
     try {
-      toml::table table = toml::parse("value = " + text);
+      toml::table table = parse_toml("value = " + text, {});
       if (table.size() == 1) return table;
     } catch (const toml::parse_error&) {
       // Not TOML: a bare word, or a mistake that is reported with what is allowed.
