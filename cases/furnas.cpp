@@ -1,9 +1,13 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/program.h"
@@ -33,7 +37,22 @@ FURNAS_COMMANDS(FURNAS_DECLARE)
 #undef FURNAS_DECLARE
 }  // namespace furnas
 
+/// Libraries that ask for memory where they may not throw, as in destructors, end here when they get none.
+[[noreturn]] void ended_by_a_library() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view sentence =
+        "furnas: out of memory, in the middle of a file; resume goes on from the last checkpoint\n";
+    (void)!::write(STDERR_FILENO, sentence.data(), sentence.size());
+    ::_exit(static_cast<int>(furnas::ExitCode::out_of_memory));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 int main(int count, char** values) {
+  std::set_terminate(ended_by_a_library);
   // It asks a run to save; before there is one, and after it, it must not kill.
   std::signal(SIGUSR1, SIG_IGN);
 #define FURNAS_CALL(verb) furnas::verb##_command(),

@@ -85,6 +85,8 @@ ExitCode run_guarded(const Command& command, Console console) {
   } catch (const OutputError& error) {
     return complain(console, ExitCode::output_failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
+    if (error.code() == std::errc::not_enough_memory)
+      return complain(console, ExitCode::out_of_memory, "out of memory");
     return complain(console, ExitCode::output_failed, error.what());
   } catch (const FolderInUse& error) {
     return complain(console, ExitCode::folder_in_use, error.what());

@@ -1,10 +1,12 @@
 #include "io/manifest.h"
 
+#include <dirent.h>
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/hasher.h"
@@ -13,19 +15,38 @@
 namespace furnas {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Calls `visit` with the path of each regular file in the folder and the folders in it. The iterators of the
+/// standard library end the process when they get no memory.
+template <class Visit>
+void each_file(const fs::path& folder, Visit&& visit) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
+  if (!directory) throw fs::filesystem_error("cannot list", folder, {errno, std::generic_category()});
+  while (const dirent* entry = ::readdir(directory.get())) {
+    const std::string name = entry->d_name;
+    if (name == "." || name == "..") continue;
+    const fs::path path = folder / name;
+    const fs::file_status status = fs::symlink_status(path);
+    if (fs::is_directory(status)) each_file(path, visit);
+    if (fs::is_regular_file(status)) visit(path);
+  }
+}
+
+}  // namespace
+
 void write_manifest(const fs::path& folder, const std::string& program) {
   constexpr const char* name = "manifest.json";
   std::map<std::string, nlohmann::ordered_json> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    const fs::path extension = entry.path().extension();
-    if (!entry.is_regular_file() || entry.path().filename() == name || extension == ".lock") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
+  each_file(folder, [&](const fs::path& path) {
+    if (path.filename() == name || path.extension() == ".lock") return;
+    std::ifstream in(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     Hasher hasher;
     hasher.add_bytes(bytes.data(), bytes.size());
-    files[fs::relative(entry.path(), folder).string()] = {{"bytes", bytes.size()},
-                                                          {"xxh3", fmt::format("{:016x}", hasher.value())}};
-  }
+    files[path.lexically_relative(folder).string()] = {{"bytes", bytes.size()},
+                                                       {"xxh3", fmt::format("{:016x}", hasher.value())}};
+  });
   write_file(folder / name, nlohmann::ordered_json{{"program", program}, {"files", files}}.dump(2) + "\n");
 }
 

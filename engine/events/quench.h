@@ -5,7 +5,8 @@
 namespace furnas {
 
 /// Takes out all motion, of the particles and of the cell, once the packing is nearly at rest: when all
-/// limits of the verdict hold a hundred times over, or for ten windows all but that of the force balance.
+/// limits of the verdict hold a hundred times over, or when stress and energy have for fifty windows though
+/// the forces never balance and the cell creeps.
 ///
 /// What still moves then is what no law damps: a sphere that spins about its contact normal, rattlers that
 /// knock at a backbone long settled, a cell that shears to and fro while contacts see peculiar velocities
