@@ -29,7 +29,8 @@ class Quench final : public Event {
  private:
   RestWatch& watch_;
   std::int64_t count_ = 0;
-  std::int64_t slow_windows_ = 0;  ///< ends of windows in a row at which all but the balance was nearly there
+  std::int64_t slow_windows_ =
+      0;  ///< ends of windows at which all but the balance was nearly there, more than not
 };
 
 }  // namespace furnas

@@ -72,10 +72,9 @@ int windows_until_due(int restless = -1, int resumed = -1) {
 }
 
 TEST(Quench, DoesNotWaitForEverForTheForcesToBalance) {
-  // the drift is known from the second window on
-  EXPECT_EQ(windows_until_due(), 52);
-  EXPECT_EQ(windows_until_due(5), 56);
-  for (int resumed : {1, 4, 11, 55}) EXPECT_EQ(windows_until_due(5, resumed), 56);
+  EXPECT_EQ(windows_until_due(), 51);
+  EXPECT_EQ(windows_until_due(5), 53);
+  for (int resumed : {1, 4, 11, 52}) EXPECT_EQ(windows_until_due(5, resumed), 53);
 }
 
 TEST(Quench, TakesOutAllMotionAndNothingElse) {
