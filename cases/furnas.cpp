@@ -16,6 +16,7 @@
   command(check)                 \
   command(run)                   \
   command(resume)                \
+  command(sweep)                 \
   command(certify)               \
   command(analyze)               \
   command(render)                \
