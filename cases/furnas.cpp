@@ -17,6 +17,8 @@
   command(run)                   \
   command(resume)                \
   command(sweep)                 \
+  command(figures)               \
+  command(model)                 \
   command(certify)               \
   command(analyze)               \
   command(render)                \
