@@ -20,6 +20,9 @@
   command(check)                 \
   command(run)                   \
   command(resume)                \
+  command(sweep)                 \
+  command(figures)               \
+  command(model)                 \
   command(certify)               \
   command(analyze)               \
   command(render)                \

@@ -10,6 +10,7 @@
 #include "io/case_check.h"
 #include "io/case_schema.h"
 #include "io/case_syntax.h"
+#include "io/case_table.h"
 #include "io/case_value.h"
 #include "io/case_words.h"
 
@@ -81,6 +82,7 @@ Case read_keys(const toml::table& root, const std::string& name, Places& places)
     return fmt::format("{}:{}", name, node.source().begin.line);
   };
   for (const auto& [table_name, node] : root) {
+    if (table_name.str() == sweep_table) continue;
     const toml::table* table = node.as_table();
     if (!is_table_name(table_name.str())) refuse_unknown_table(table_name.str(), node, place_of(node));
     if (table == nullptr)
@@ -102,8 +104,8 @@ Case read_keys(const toml::table& root, const std::string& name, Places& places)
   return c;
 }
 
-/// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the number
-/// wrong. So what seems wrong is read once more.
+/// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
+/// number wrong. So what seems wrong is read once more.
 toml::table parse_toml(std::string_view text, std::string_view name) {
   try {
     return toml::parse(text, name);
@@ -112,12 +114,18 @@ toml::table parse_toml(std::string_view text, std::string_view name) {
   }
 }
 
-Case parse_keys(std::string_view text, const std::string& name, Places& places) {
+toml::table parse_text(std::string_view text, const std::string& name) {
   try {
-    return read_keys(parse_toml(text, name), name, places);
+    return parse_toml(text, name);
   } catch (const toml::parse_error& error) {
     throw InputError(explain_syntax(text, name, error.source().begin.line, error.description()));
   }
+}
+
+void refuse_sweep(const toml::table& root, const std::string& name) {
+  if (const toml::node* sweep = root.get(sweep_table))
+    throw InputError(fmt::format("{}:{}: [sweep] makes this file many cases; allowed: furnas sweep or check",
+                                 name, sweep->source().begin.line));
 }
 
 void apply_overrides(Case& c, std::span<const std::string> overrides, Places& places) {
@@ -171,22 +179,29 @@ bool counts(const Key& key, const Case& c) {
 
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides) {
   Places places;
-  Case c = parse_keys(toml, name, places);
+  const toml::table root = parse_text(toml, name);
+  refuse_sweep(root, name);
+  Case c = read_keys(root, name, places);
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
   return c;
 }
 
-Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
+toml::table read_table(const std::filesystem::path& file) {
   const std::string name = file.string();
   if (std::filesystem::is_directory(file)) throw InputError(name + ": is a directory; allowed: a case file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw InputError(name + (std::filesystem::exists(file) ? ": cannot be read" : ": there is no such file"));
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return parse_text(text, name);
+}
 
+Case case_in(const toml::table& root, const std::filesystem::path& file,
+             std::span<const std::string> overrides) {
+  const std::string name = file.string();
   Places places;
-  Case c = parse_keys(text, name, places);
+  Case c = read_keys(root, name, places);
   if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
@@ -197,6 +212,12 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
     c.start.file = std::filesystem::absolute(c.start.file).lexically_normal().string();
   }
   return c;
+}
+
+Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const toml::table root = read_table(file);
+  refuse_sweep(root, file.string());
+  return case_in(root, file, overrides);
 }
 
 void apply_override(Case& c, std::string_view assignment) {

@@ -14,7 +14,8 @@ namespace furnas {
 /// assignment as in `apply_override`.
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides = {});
 
-/// Reads a case file. A relative start.file is looked for beside the case file, one that comes with an
+/// Reads the case in a case file; one with a sweep in it is many cases, and refused (see io/sweep_file.h). A
+/// relative start.file is looked for beside the case file, one that comes with an
 /// override in the current directory; in the case it is absolute.
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 

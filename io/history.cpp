@@ -2,6 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "engine/base/require.h"
+
 namespace furnas {
 namespace {
 
@@ -65,6 +74,35 @@ void History::add(const Measures& m) {
   std::string row;
   for (const Column& column : columns) row += fmt::format("{}{}", row.empty() ? "" : ",", column.value(m));
   file_.append(row + "\n");
+}
+
+std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
+                                              const std::vector<std::string>& columns) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
+  std::vector<std::string> cells;
+  boost::split(cells, line, boost::is_any_of(","));
+  std::vector<std::size_t> places;
+  for (const std::string& column : columns) {
+    const auto found = std::find(cells.begin(), cells.end(), column);
+    if (found == cells.end())
+      throw InputError(fmt::format("{}: there is no column {}", path.string(), column));
+    places.push_back(static_cast<std::size_t>(found - cells.begin()));
+  }
+  const std::size_t width = cells.size();
+  std::vector<std::vector<double>> values(columns.size());
+  while (std::getline(file, line)) {
+    boost::split(cells, line, boost::is_any_of(","));
+    if (cells.size() != width) throw InputError(path.string() + ": a row is not complete");
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const std::string& text = cells[places[k]];
+      double value = std::nan("");
+      std::from_chars(text.data(), text.data() + text.size(), value);
+      values[k].push_back(value);
+    }
+  }
+  return values;
 }
 
 }  // namespace furnas

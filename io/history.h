@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/state/measures.h"
 #include "io/append_file.h"
@@ -28,5 +29,9 @@ class History {
 
 /// Names of the columns, separated by commas.
 std::string history_columns();
+
+/// The values of these columns of a history, row by row. Throws InputError.
+std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
+                                              const std::vector<std::string>& columns);
 
 }  // namespace furnas

@@ -6,7 +6,7 @@
 
 #include "cases/bench/lammps.h"
 #include "cases/bench/packings.h"
-#include "cases/bench/table.h"
+#include "cases/table.h"
 
 namespace furnas {
 

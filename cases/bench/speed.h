@@ -7,7 +7,7 @@
 
 #include "cases/bench/force_error.h"
 #include "cases/bench/packings.h"
-#include "cases/bench/table.h"
+#include "cases/table.h"
 
 namespace furnas {
 

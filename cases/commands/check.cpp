@@ -3,6 +3,7 @@
 
 #include "cases/commands/command.h"
 #include "cases/preflight.h"
+#include "cases/sweep/sweep.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
 
@@ -23,6 +24,10 @@ Command check_command() {
     app.add_option("--set", options->set, "change a key of the case, e.g. mixture.large=400");
   };
   command.run = [options](Console console) {
+    if (holds_sweep(options->file)) {
+      console.out << sweep_report(read_sweep(options->file, options->set));
+      return ExitCode::done;
+    }
     const Case c = read_case(options->file, options->set);
     validate(c);
     const Preflight preflight = check_case(c);

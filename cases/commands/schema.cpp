@@ -20,6 +20,17 @@ std::string default_text(const Key& key) {
   return value.empty() ? fmt::format("left out; {} counts", key.rival) : value;
 }
 
+constexpr std::string_view sweep_doc =
+    R"([sweep] makes many cases of one, for `furnas sweep`: every combination of the values of its keys, each with
+several seeds. A key is any key of the tables above in quotes, with one value or a list; `samples` (an integer,
+default 1) says how many seeds, from mixture.seed on. Several grids are several [[sweep]].
+
+    [sweep]
+    "mixture.small_fraction" = [0.1, 0.2, 0.3]
+    "contact.friction" = [0.0, 0.3]
+    samples = 4
+)";
+
 void print_text(std::ostream& out) {
   std::string_view table;
   for (const Key& key : case_keys()) {
@@ -54,6 +65,7 @@ void print_markdown(std::ostream& out) {
     out << fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), key.unit,
                        default_text(key), allowed_text(key), key.doc);
   }
+  out << "\n## [sweep]\n\n" << sweep_doc;
 }
 
 }  // namespace

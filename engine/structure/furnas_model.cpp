@@ -1,6 +1,9 @@
 #include "engine/structure/furnas_model.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "engine/base/require.h"
 
 namespace furnas {
 
@@ -8,6 +11,20 @@ double FurnasModel::phi(double f) const {
   // The denominators cross at f_max alone, and the larger one belongs to the branch that holds.
   return mono / std::max(1 - f, f + mono * (1 - f));
 }
+
+FurnasInterval::FurnasInterval(double mono, double half_width) : middle_{mono}, low_{mono}, high_{mono} {
+  if (std::isfinite(half_width)) {
+    low_.mono -= half_width;
+    high_.mono += half_width;
+  }
+  require(0 < low_.mono && low_.mono <= high_.mono && high_.mono < 1, "phi_mono lies between 0 and 1");
+}
+
+Interval FurnasInterval::phi(double f) const { return {middle_.phi(f), low_.phi(f), high_.phi(f)}; }
+
+Interval FurnasInterval::f_max() const { return {middle_.f_max(), high_.f_max(), low_.f_max()}; }
+
+Interval FurnasInterval::phi_max() const { return {middle_.phi_max(), low_.phi_max(), high_.phi_max()}; }
 
 double fraction_of_large(double phi, double f) { return phi * (1 - f); }
 

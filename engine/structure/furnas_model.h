@@ -23,6 +23,28 @@ struct FurnasModel {
   double phi_max() const { return mono * (2 - mono); }
 };
 
+/// A value and what it lies between.
+struct Interval {
+  double value{}, low{}, high{};
+};
+
+/// The model of a phi_mono that is known to lie in an interval. All it says rises or falls with phi_mono, so
+/// the ends of the interval are carried through.
+class FurnasInterval {
+ public:
+  /// phi_mono +- half_width, both ends in (0, 1); throws ContractError otherwise. A half_width that is not
+  /// finite, as of a single sample, counts as none.
+  FurnasInterval(double mono, double half_width);
+
+  Interval phi(double small_fraction) const;  ///< as FurnasModel::phi
+  Interval f_max() const;                     ///< as FurnasModel::f_max
+  Interval phi_max() const;                   ///< as FurnasModel::phi_max
+  const FurnasModel& middle() const { return middle_; }
+
+ private:
+  FurnasModel middle_, low_, high_;
+};
+
 /// phi_L = phi (1 - f_s), packing fraction of the large spheres alone; the model has phi_L = phi_mono below
 /// f_max.
 double fraction_of_large(double phi, double small_fraction);

@@ -1,4 +1,4 @@
-#include "cases/bench/table.h"
+#include "cases/table.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,193 @@
+#include "cases/sweep/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cases/recording.h"
+#include "cases/scenario.h"
+#include "engine/base/require.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+#include "io/case_schema.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Measured in docs/decisions.md: frictionless packings settle slowly, mixtures cool slowly before.
+double expected_steps(const Case& c) {
+  const double settle = c.contact.friction > 0 ? 1e5 : 5e5;
+  const double cool = c.mixture.size_ratio > 1 && c.start.file.empty() ? 6e4 * c.mixture.size_ratio : 0;
+  return std::min(settle + cool, static_cast<double>(c.stop.steps));
+}
+
+double particles_of(const Case& c) {
+  if (!c.start.file.empty()) return static_cast<double>(start_of(c).size());
+  return static_cast<double>(c.mixture.large) + small_spheres(c.mixture);
+}
+
+std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
+
+/// A value as it may stand in the name of a folder and in a table.
+std::string value_in(const Case& c, const std::string& key) {
+  std::string value = value_text(*find_key(key.substr(0, key.find('.')), name_in(key)), c);
+  std::erase_if(value, [](char letter) { return letter == '"' || letter == '\'' || letter == ' '; });
+  std::replace(value.begin(), value.end(), '/', '_');
+  std::replace(value.begin(), value.end(), ',', ';');
+  return value;
+}
+
+/// The case without what changes no bit of its steps.
+std::string identity(Case c) {
+  const Case defaults;
+  c.compute.threads = defaults.compute.threads;
+  c.output.checkpoint_minutes = defaults.output.checkpoint_minutes;
+  c.stop.steps = defaults.stop.steps;
+  return resolved_toml(c);
+}
+
+/// The same without what tells samples of a sweep apart.
+std::string common_identity(Case c, const std::vector<std::string>& keys) {
+  Case defaults;
+  for (const std::string& path : keys) {
+    const Key& key = *find_key(path.substr(0, path.find('.')), name_in(path));
+    std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
+  }
+  c.mixture.seed = 0;
+  return identity(c);
+}
+
+/// Calls `visit` with the base case changed to each combination of one value of each axis.
+template <class Visit>
+void each_point(const SweepGrid& grid, const Case& c, Visit&& visit, std::size_t axis = 0) {
+  if (axis == grid.axes.size()) return visit(c);
+  for (const std::string& value : grid.axes[axis].values) {
+    Case changed = c;
+    apply_override(changed, grid.axes[axis].key + "=" + value);
+    each_point(grid, changed, visit, axis + 1);
+  }
+}
+
+void validate_point(const Case& c, const SweepGrid& grid) {
+  try {
+    validate(c);
+  } catch (const InputError& error) {
+    throw InputError(grid.place + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> keys_of(const SweepFile& sweep) {
+  std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
+  if (!sweep.base.start.file.empty()) keys = {"contact.friction"};
+  std::map<std::string, std::set<std::string>> values;
+  for (const SweepGrid& grid : sweep.grids)
+    for (const SweepAxis& axis : grid.axes) values[axis.key].insert(axis.values.begin(), axis.values.end());
+  for (const SweepGrid& grid : sweep.grids)
+    for (const auto& [key, of_key] : values) {
+      const bool named = std::any_of(grid.axes.begin(), grid.axes.end(),
+                                     [&, &name = key](const SweepAxis& axis) { return axis.key == name; });
+      // A grid that does not name a key takes it from the case.
+      if ((of_key.size() > 1 || !named) && std::find(keys.begin(), keys.end(), key) == keys.end())
+        keys.push_back(key);
+    }
+  return keys;
+}
+
+fs::path folder_of_sample(const std::vector<std::string>& keys, const std::vector<std::string>& values,
+                          std::int64_t seed) {
+  std::string point;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    point += fmt::format("{}{}={}", point.empty() ? "" : ",", name_in(keys[k]), values[k]);
+  return fs::path("samples") / point / std::to_string(seed);
+}
+
+Sample sample_of(const Case& c, const std::vector<std::string>& keys, const fs::path& folder) {
+  Sample sample{c, {}, {}, particles_of(c), expected_steps(c)};
+  for (const std::string& key : keys) sample.values.push_back(value_in(c, key));
+  sample.folder = folder / folder_of_sample(keys, sample.values, c.mixture.seed);
+  return sample;
+}
+
+std::vector<Sample> samples_of(const SweepFile& sweep, const std::vector<std::string>& keys,
+                               const fs::path& folder) {
+  std::vector<Sample> samples;
+  std::map<fs::path, std::string> known;
+  for (const SweepGrid& grid : sweep.grids)
+    each_point(grid, sweep.base, [&](Case c) {
+      validate_point(c, grid);
+      for (int k = 0; k < grid.samples; ++k, ++c.mixture.seed) {
+        Sample sample = sample_of(c, keys, folder);
+        const std::string is = resolved_toml(c);
+        const auto [place, fresh] = known.emplace(sample.folder, is);
+        if (!fresh && place->second != is)
+          throw InputError(fmt::format(
+              "{}: {} stands for two cases that differ in another key; allowed: one case for each "
+              "combination of values",
+              grid.place, sample.folder.string()));
+        if (fresh) samples.push_back(std::move(sample));
+      }
+    });
+  return samples;
+}
+
+Sample moved_to(const Sample& sample, double small_fraction, const std::vector<std::string>& keys,
+                const fs::path& folder) {
+  Case c = sample.resolved_case;
+  c.mixture.small_fraction = small_fraction;
+  validate(c);
+  return sample_of(c, keys, folder);
+}
+
+std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,
+                                  const fs::path& folder) {
+  std::set<fs::path> known;
+  std::set<std::string> common;
+  for (const Sample& sample : planned) {
+    known.insert(sample.folder);
+    common.insert(common_identity(sample.resolved_case, keys));
+  }
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder / "samples"))
+    for (const auto& point : fs::directory_iterator(folder / "samples"))
+      for (const auto& entry : fs::directory_iterator(point))
+        if (!known.contains(entry.path()) && fs::exists(entry.path() / "case.resolved.toml"))
+          files.push_back(entry.path() / "case.resolved.toml");
+  std::sort(files.begin(), files.end());
+  std::vector<Sample> added;
+  for (const fs::path& file : files) {
+    const Sample sample = sample_of(read_case(file), keys, folder);
+    if (sample.folder == file.parent_path() && common.contains(common_identity(sample.resolved_case, keys)))
+      added.push_back(sample);
+  }
+  return added;
+}
+
+SampleState state_of(const Sample& sample) {
+  const fs::path resolved = sample.folder / "case.resolved.toml";
+  if (!fs::exists(resolved)) return SampleState::missing;
+  if (identity(read_case(resolved)) != identity(sample.resolved_case))
+    throw InputError(
+        fmt::format("{} holds another case than the sweep asks for there; allowed: remove it, or take "
+                    "another --out",
+                    sample.folder.string()));
+  std::ifstream file(sample.folder / "result.json");
+  const auto result = nlohmann::json::parse(file, nullptr, false);
+  if (result.is_object()) {
+    const std::string verdict = result.value("verdict", "");
+    const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
+    if (verdict == "jammed" || verdict == "diverged" || (verdict == "budget" && all_steps))
+      return SampleState::finished;
+  }
+  return Checkpoints::none(sample.folder) ? SampleState::missing : SampleState::interrupted;
+}
+
+}  // namespace furnas

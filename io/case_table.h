@@ -1,0 +1,23 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "io/case.h"
+
+namespace furnas {
+
+/// The table of a case file that makes it a sweep.
+inline constexpr const char* sweep_table = "sweep";
+
+/// A case file as TOML; throws InputError, also for what is no TOML.
+toml::table read_table(const std::filesystem::path& file);
+
+/// The case that such a file holds, beside its sweep if there is one; as `read_case`.
+Case case_in(const toml::table& root, const std::filesystem::path& file,
+             std::span<const std::string> overrides);
+
+}  // namespace furnas

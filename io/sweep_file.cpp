@@ -1,0 +1,95 @@
+#include "io/sweep_file.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/require.h"
+#include "io/case_file.h"
+#include "io/case_schema.h"
+#include "io/case_table.h"
+#include "io/case_value.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+constexpr std::int64_t most_samples = 100'000;
+
+std::string place_of(const toml::node& node, const std::string& file) {
+  return fmt::format("{}:{}", file, node.source().begin.line);
+}
+
+const Key& key_of(std::string_view path, const toml::node& node, const std::string& place) {
+  const std::size_t dot = path.find('.');
+  const std::string_view table = path.substr(0, dot);
+  const std::string_view name = dot == path.npos ? "" : path.substr(dot + 1);
+  if (path == "mixture.seed")
+    throw InputError(
+        fmt::format("{}: sweep.\"mixture.seed\" = {}; allowed: samples = n, which takes the seeds "
+                    "from mixture.seed on",
+                    place, node_text(node)));
+  if (const Key* key = find_key(table, name)) return *key;
+  const std::string nearest = nearest_key(table, name);
+  throw InputError(
+      fmt::format("{}: unknown key sweep.\"{}\" = {}; allowed: samples, and keys of the case in "
+                  "quotes, like \"{}\"",
+                  place, path, node_text(node), nearest.empty() ? "contact.friction" : nearest));
+}
+
+/// The values of one key of a grid, each checked by itself.
+SweepAxis axis_of(std::string_view path, const toml::node& node, const std::string& place, const Case& base) {
+  const Key& key = key_of(path, node, place);
+  SweepAxis axis{std::string(path), {}};
+  const auto take = [&](const toml::node& value) {
+    Case c = base;
+    assign(key, value, c, place);
+    axis.values.push_back(value_text(key, c));
+  };
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& value : *list) take(value);
+  else
+    take(node);
+  if (axis.values.empty())
+    throw InputError(fmt::format("{}: sweep.\"{}\" = [] has no value; allowed: one or more", place, path));
+  return axis;
+}
+
+int samples_in(const toml::node& node, const std::string& place) {
+  const auto samples = node.value_exact<std::int64_t>();
+  if (!samples || *samples < 1 || *samples > most_samples)
+    throw InputError(fmt::format("{}: sweep.samples = {}; allowed: an integer from 1 to {}", place,
+                                 node_text(node), most_samples));
+  return static_cast<int>(*samples);
+}
+
+SweepGrid grid_of(const toml::table& table, const std::string& file, const Case& base) {
+  SweepGrid grid{{}, 1, place_of(table, file)};
+  for (const auto& [key, node] : table)
+    if (key.str() == "samples")
+      grid.samples = samples_in(node, place_of(node, file));
+    else
+      grid.axes.push_back(axis_of(key.str(), node, place_of(node, file), base));
+  return grid;
+}
+
+}  // namespace
+
+bool holds_sweep(const std::filesystem::path& file) { return read_table(file).contains(sweep_table); }
+
+SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const toml::table root = read_table(file);
+  const std::string name = file.string();
+  const toml::node* node = root.get(sweep_table);
+  if (node == nullptr)
+    throw InputError(name + ": there is no [sweep] in it; allowed: a case with one (run takes it as it is)");
+  SweepFile sweep{case_in(root, file, overrides), {}};
+  if (const toml::table* table = node->as_table()) sweep.grids.push_back(grid_of(*table, name, sweep.base));
+  if (node->is_array_of_tables())
+    for (const toml::node& table : *node->as_array())
+      sweep.grids.push_back(grid_of(*table.as_table(), name, sweep.base));
+  if (sweep.grids.empty())
+    throw InputError(fmt::format("{}: sweep = {} is no table; allowed: [sweep], or [[sweep]] several times",
+                                 place_of(*node, name), node_text(*node)));
+  return sweep;
+}
+
+}  // namespace furnas
