@@ -209,12 +209,11 @@ void add_rattlers(const Study& study, std::vector<Figure>& figures) {
       for (std::size_t n = 0; n < 3; ++n) {
         Series s = measured(fmt::format("μ = {}, fewer than {}", frictions[k], n + 2), k, lines[n]);
         for (const Point& p : curve->points)
-          if (p.small_rattlers[n]) add(s, p.small_fraction, *p.small_rattlers[n]);
+          if (const auto& share = p.small_rattlers[n])
+            add(s, p.small_fraction, share->mean, std::min(share->half_width, 1.0));
         if (!s.x.empty()) chart.series.push_back(std::move(s));
       }
     }
-    // Intervals reach beyond 1 where samples are few; the legend stands above.
-    chart.y.high = 1.1 + 0.08 * static_cast<double>(chart.series.size());
     figures.push_back({fmt::format("figure_4_alpha_{}", ratio),
                        fmt::format("Share of rattlers among the small spheres, size ratio {}, for rattlers "
                                    "with fewer than 2, 3 and 4 live contacts.",

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -91,10 +91,10 @@ Maximum find_maximum(const std::vector<double>& x, const std::vector<double>& y,
   if (fits.empty()) return coarse;
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const Fit& a, const Fit& b) { return a.square < b.square; });
-  // F with one degree of freedom above is the square of Student's t.
+  // x_0 and s together: by the place alone the interval would hold the maximum less often than it says.
   const auto freedom = static_cast<double>(near_x.size() - parameters);
-  const double t = boost::math::quantile(boost::math::students_t(freedom), 0.5 * (1 + confidence));
-  const double most = best->square * (1 + t * t / freedom);
+  const double F = boost::math::quantile(boost::math::fisher_f(2, freedom), confidence);
+  const double most = best->square * (1 + 2 * F / freedom);
   Maximum found{best->at, best->at - step / 2, best->at + step / 2};
   for (const Fit& f : fits) {
     if (f.square > most) continue;

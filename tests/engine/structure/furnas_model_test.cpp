@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "engine/base/require.h"
+
 namespace furnas {
 namespace {
 
@@ -62,6 +66,33 @@ TEST(FurnasModel, TheFormingSizePacksAsItDoesAlone) {
     EXPECT_NEAR(large + f * phi, phi, rounding);
     EXPECT_NEAR(small * (1 - large), f * phi, rounding);
   }
+}
+
+TEST(FurnasInterval, CarriesItsEndsThrough) {
+  const FurnasInterval model(0.588, 0.004);
+  const FurnasModel low{0.584}, high{0.592};
+  EXPECT_EQ(model.f_max().value, model.middle().f_max());
+  EXPECT_DOUBLE_EQ(model.f_max().low, high.f_max());  // it falls with phi_mono
+  EXPECT_DOUBLE_EQ(model.f_max().high, low.f_max());
+  EXPECT_DOUBLE_EQ(model.phi_max().low, low.phi_max());
+  EXPECT_DOUBLE_EQ(model.phi_max().high, high.phi_max());
+  for (double f = 0; f <= 1; f += 0.05) {
+    const Interval phi = model.phi(f);
+    EXPECT_DOUBLE_EQ(phi.low, low.phi(f));
+    EXPECT_DOUBLE_EQ(phi.high, high.phi(f));
+    EXPECT_LT(phi.low, phi.value);
+    EXPECT_LT(phi.value, phi.high);
+  }
+}
+
+TEST(FurnasInterval, OfASingleSampleHasNoWidth) {
+  const FurnasInterval model(0.6, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(model.phi(0.2).low, model.phi(0.2).high);
+}
+
+TEST(FurnasInterval, StaysBetweenNothingAndAll) {
+  EXPECT_THROW(FurnasInterval(0.6, 0.4), ContractError);
+  EXPECT_THROW(FurnasInterval(0, 0), ContractError);
 }
 
 }  // namespace

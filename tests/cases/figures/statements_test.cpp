@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cases/figures/report.h"
+#include "engine/base/require.h"
+#include "tests/cases/sweep/made_rows.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Adds three samples around phi.
+void add(SampleTable& table, const std::string& alpha, const std::string& f, const std::string& mu,
+         double phi) {
+  for (int k = -1; k <= 1; ++k) table.rows.push_back(jammed_row(alpha, f, mu, k + 2, phi + 0.0005 * k));
+}
+
+/// A study that agrees with the model at size ratio 20, and at 2 less.
+SampleTable agreeing() {
+  SampleTable table = paper_table();
+  for (const auto& [mu, mono] : {std::pair{"0.0", 0.637}, {"0.3", 0.589}}) {
+    add(table, "1.0", "0.0", mu, mono);
+    for (const char* f : {"0.1", "0.2", "0.265", "0.29", "0.35", "0.5", "0.7"}) {
+      const double model = FurnasModel{mono}.phi(std::stod(f));
+      add(table, "20.0", f, mu, model);
+      add(table, "2.0", f, mu, mono + 0.2 * (model - mono));
+    }
+  }
+  for (SampleRow& row : table.rows) {
+    const std::int64_t rattlers = row.small_fraction < (row.friction > 0 ? 0.28 : 0.25) ? 990 : 20;
+    row.small_rattlers = {rattlers, rattlers, rattlers};
+  }
+  return table;
+}
+
+Study study_from(const SampleTable& table) {
+  const TemporaryFolder folder;
+  write_file(folder / sample_table_name, csv(table));
+  return study_of({folder / ""});
+}
+
+const Statement& about(const std::vector<Statement>& all, const std::string& what) {
+  for (const Statement& s : all)
+    if (s.what.find(what) != s.what.npos) return s;
+  throw std::runtime_error(what);
+}
+
+TEST(Studies, AreInTheOrderOfThePaper) {
+  const Study study = study_from(agreeing());
+  EXPECT_THAT(study.size_ratios(), ElementsAre(2, 20));
+  EXPECT_THAT(study.frictions(), ElementsAre(0, 0.3));
+  ASSERT_EQ(study.mono.size(), 2u);
+  EXPECT_NEAR(study.model(0.3)->middle().mono, 0.589, 1e-12);
+  EXPECT_FALSE(study.model(0.1));
+  EXPECT_EQ(study.curve(20, 0)->points.size(), 7u);
+  EXPECT_EQ(study.curve(3, 0), nullptr);
+  EXPECT_TRUE(study.history.empty());
+}
+
+TEST(Studies, TakeTheLargestSamples) {
+  SampleTable table = paper_table();
+  add(table, "1.0", "0.0", "0.3", 0.6);
+  add(table, "1.0", "0.0", "0.3", 0.58);
+  for (std::size_t k = 3; k < 6; ++k) table.rows[k].large = 1000;
+  const Study study = study_from(table);
+  EXPECT_EQ(study.mono[0].samples, 3u);
+  EXPECT_NEAR(study.mono[0].mean_phi_J->mean, 0.58, 1e-12);
+}
+
+TEST(Studies, RefuseKeysThatThePaperDoesNotVary) {
+  SampleTable table = paper_table();
+  table.keys.push_back("compaction.pressure");
+  EXPECT_THROW(study_from(table), InputError);
+}
+
+TEST(Statements, AgreeWhereTheStudyDoes) {
+  const auto all = statements_of(study_from(agreeing()));
+  for (const char* what :
+       {"equal spheres, μ = 0:", "equal spheres, μ = 0.3:", "rises to a maximum", "friction lowers",
+        "α = 20, μ = 0, f_s = 0.265", "within 2 %", "α = 2: φ_max", "f_max rises", "rattle below"})
+    EXPECT_EQ(about(all, what).finding, Finding::reproduced) << what << ": " << about(all, what).ours;
+  EXPECT_EQ(about(all, "α = 40, μ = 0").finding, Finding::not_reachable);
+}
+
+TEST(Statements, DisagreeWhereTheStudyDoes) {
+  SampleTable table = agreeing();
+  for (SampleRow& row : table.rows) {
+    row.phi_J -= 0.03 + (row.friction == 0 ? 0.08 : 0);
+    if (row.small_fraction < 0.25) row.small_rattlers = {500, 500, 500};
+  }
+  const auto all = statements_of(study_from(table));
+  for (const char* what : {"equal spheres, μ = 0:", "equal spheres, μ = 0.3:", "friction lowers",
+                           "α = 20, μ = 0, f_s = 0.265", "rattle below"})
+    EXPECT_EQ(about(all, what).finding, Finding::not_reproduced) << what << ": " << about(all, what).ours;
+}
+
+TEST(Statements, OfNothingAreNotReachable) {
+  for (const Statement& s : statements_of(Study{})) {
+    EXPECT_EQ(s.finding, Finding::not_reachable) << s.what;
+    EXPECT_EQ(s.ours, "-") << s.what;
+  }
+}
+
+TEST(Report, ShowsEachStatementAndFigure) {
+  const Study study = study_from(agreeing());
+  const auto figures = figures_of(study);
+  const std::string text = report(study, figures);
+  for (const Statement& s : statements_of(study)) EXPECT_THAT(text, HasSubstr(s.what));
+  for (const Figure& f : figures) EXPECT_THAT(text, HasSubstr("](" + f.name + ".png)"));
+}
+
+TEST(Figures, AreThoseOfThePaper) {
+  std::vector<std::string> names;
+  for (const Figure& f : figures_of(study_from(agreeing()))) {
+    names.push_back(f.name);
+    EXPECT_FALSE(f.caption.empty());
+    EXPECT_THAT(csv(f.chart), HasSubstr("series,x,y,error\n"));
+  }
+  EXPECT_THAT(names, ElementsAre("figure_2a", "figure_2b", "figure_3a", "figure_3b", "figure_4_alpha_2",
+                                 "figure_4_alpha_20", "phi_large_mu_0", "phi_small_mu_0", "phi_large_mu_0.3",
+                                 "phi_small_mu_0.3"));
+}
+
+}  // namespace
+}  // namespace furnas

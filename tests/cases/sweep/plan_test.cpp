@@ -1,0 +1,130 @@
+#include "cases/sweep/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "engine/base/require.h"
+#include "io/case_file.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* mixture_sweep = R"([mixture]
+size_ratio = 2.0
+large = 20
+[[sweep]]
+"mixture.small_fraction" = [0.1, 0.3]
+"contact.friction" = [0.0, 0.3]
+samples = 3
+[[sweep]]
+"mixture.size_ratio" = 3
+"mixture.small_fraction" = 0.2
+)";
+
+class Plans : public testing::Test {
+ protected:
+  SweepFile sweep(const std::string& text) const {
+    write_file(folder_ / "a.toml", text);
+    return read_sweep(folder_ / "a.toml");
+  }
+  fs::path path(const std::string& name) const { return folder_ / name; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Plans, IsTheGridTimesTheSeeds) {
+  const SweepFile file = sweep(mixture_sweep);
+  const auto keys = keys_of(file);
+  EXPECT_THAT(keys, ElementsAre("mixture.size_ratio", "mixture.small_fraction", "contact.friction"));
+  const auto samples = samples_of(file, keys, "s");
+  ASSERT_EQ(samples.size(), 2u * 2 * 3 + 1);
+  EXPECT_EQ(samples[0].resolved_case.mixture.seed, 1);
+  EXPECT_EQ(samples[2].resolved_case.mixture.seed, 3);
+  EXPECT_EQ(samples.back().resolved_case.mixture.size_ratio, 3);
+  EXPECT_EQ(samples.back().folder, "s/samples/size_ratio=3.0,small_fraction=0.2,friction=0.3/1");
+  EXPECT_EQ(samples[0].particles, 20 + 18);  // 20 * 8 * 0.1/0.9
+  std::set<fs::path> folders;
+  for (const Sample& sample : samples) folders.insert(sample.folder);
+  EXPECT_EQ(folders.size(), samples.size());
+}
+
+TEST_F(Plans, KnowsWhichKeysVary) {
+  EXPECT_THAT(
+      keys_of(sweep("[sweep]\n\"compaction.pressure\" = [1e-3, 1e-4]\n\"stop.steps\" = 5")),
+      ElementsAre("mixture.size_ratio", "mixture.small_fraction", "contact.friction", "compaction.pressure"));
+}
+
+TEST_F(Plans, LargerSamplesAndThoseWithoutFrictionCostMore) {
+  const auto cost = [](double size_ratio, double friction) {
+    Case c;
+    c.mixture = {size_ratio, 0.2, 100, 0.05, 1};
+    c.contact.friction = friction;
+    return sample_of(c, {}, "s").cost();
+  };
+  EXPECT_LT(cost(2, 0.3), cost(3, 0.3));
+  EXPECT_LT(cost(2, 0.3), cost(2, 0));
+}
+
+TEST_F(Plans, RefusesCombinationsThatAreNoCase) {
+  const SweepFile file = sweep("[mixture]\nlarge = 1\n[sweep]\n\"mixture.small_fraction\" = [0.0, 0.1]");
+  try {
+    samples_of(file, keys_of(file), "s");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.toml:3: "));
+    EXPECT_THAT(error.what(), HasSubstr("small_fraction = 0.1"));
+  }
+}
+
+TEST_F(Plans, ASampleIsKnownByItsCase) {
+  Case c;
+  const Sample sample = sample_of(c, {"contact.friction"}, path(""));
+  EXPECT_EQ(state_of(sample), SampleState::missing);
+  const auto resolve = [&](const Case& other) {
+    write_file(sample.folder / "case.resolved.toml", resolved_toml(other));
+  };
+  fs::create_directories(sample.folder);
+  c.compute.threads = 3;  // changes no bit
+  resolve(c);
+  EXPECT_EQ(state_of(sample), SampleState::missing);
+  write_file(sample.folder / "result.json", R"({"verdict": "jammed", "steps": 5})");
+  EXPECT_EQ(state_of(sample), SampleState::finished);
+  write_file(sample.folder / "result.json", R"({"verdict": "budget", "steps": 10000000})");
+  EXPECT_EQ(state_of(sample), SampleState::finished);
+  write_file(sample.folder / "result.json", R"({"verdict": "budget", "steps": 9999999})");
+  EXPECT_EQ(state_of(sample), SampleState::missing) << "its steps are not spent, but it has no checkpoint";
+  write_file(sample.folder / "result.json", "damaged");
+  EXPECT_EQ(state_of(sample), SampleState::missing);
+  c.contact.normal_damping = 0.1;
+  resolve(c);
+  EXPECT_THROW(state_of(sample), InputError);
+}
+
+TEST_F(Plans, FindsWhatRefinementHasAdded) {
+  const SweepFile file = sweep(mixture_sweep);
+  const auto keys = keys_of(file);
+  const auto planned = samples_of(file, keys, path(""));
+  EXPECT_TRUE(added_samples(planned, keys, path("")).empty());
+  const Sample added = moved_to(planned[0], 0.15, keys, path(""));
+  Sample foreign = moved_to(planned[0], 0.25, keys, path(""));
+  foreign.resolved_case.contact.normal_damping = 0.1;
+  for (const Sample& sample : {planned[0], added, foreign}) {
+    fs::create_directories(sample.folder);
+    write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
+  }
+  const auto found = added_samples(planned, keys, path(""));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].folder, added.folder);
+  EXPECT_EQ(found[0].values, added.values);
+}
+
+}  // namespace
+}  // namespace furnas

@@ -1,0 +1,128 @@
+#include "cases/sweep/points.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cases/sweep/refinement.h"
+#include "engine/base/require.h"
+#include "engine/structure/furnas_model.h"
+#include "tests/cases/sweep/made_rows.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(SampleTable, ReadsWhatItWrites) {
+  const TemporaryFolder folder;
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 7, 0.7), spent_row("5.0", "0.3", "0.1", 8)};
+  SampleRow failed = spent_row("5.0", "0.3", "0.1", 9);
+  failed.verdict = "failed";
+  failed.phi = failed.Z = failed.Z_backbone = failed.backbone = std::nan("");
+  table.rows.push_back(failed);
+  write_file(folder / sample_table_name, csv(table));
+  const SampleTable read = read_sample_table(folder / "");
+  EXPECT_EQ(read.keys, table.keys);
+  ASSERT_EQ(read.rows.size(), 3u);
+  EXPECT_EQ(csv(read), csv(table));
+  EXPECT_EQ(read.rows[0].size_ratio, 5);
+  EXPECT_EQ(read.rows[0].small_fraction, 0.3);
+  EXPECT_EQ(read.rows[0].friction, 0.1);
+  EXPECT_EQ(read.rows[0].phi_J, 0.7);
+  EXPECT_TRUE(std::isnan(read.rows[1].phi_J));
+  EXPECT_EQ(read.rows[1].reason, "all steps are spent; it waits");
+}
+
+TEST(SampleTable, RefusesWhatIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_sample_table(folder / ""), InputError);
+  for (const char* text : {"", "a,b\n1,2\n"}) {
+    write_file(folder / sample_table_name, text);
+    EXPECT_THROW(read_sample_table(folder / ""), InputError) << text;
+  }
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 7, 0.7)};
+  std::string text = csv(table);
+  write_file(folder / sample_table_name, text + "1,2,3\n");
+  EXPECT_THROW(read_sample_table(folder / ""), InputError);
+  text.replace(text.find("1.5"), 3, "one");
+  write_file(folder / sample_table_name, text);
+  try {
+    read_sample_table(folder / "");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sweep.csv:2: \"one\""));
+  }
+}
+
+TEST(Points, AreMeansOfTheJammed) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 1, 0.7), jammed_row("5.0", "0.3", "0.1", 2, 0.72),
+                spent_row("5.0", "0.3", "0.1", 3), jammed_row("1.0", "0.0", "0.1", 1, 0.6)};
+  const auto points = points_of(table);
+  ASSERT_EQ(points.size(), 2u);
+  const Point& p = points[0];
+  EXPECT_EQ(p.samples, 3u);
+  EXPECT_EQ(p.jammed, 2u);
+  EXPECT_EQ(p.budget, 1u);
+  EXPECT_DOUBLE_EQ(p.mean_phi_J->mean, 0.71);
+  EXPECT_NEAR(p.mean_phi_J->half_width, 12.7062 * 0.01, 1e-5);  // Student's t of two samples
+  EXPECT_DOUBLE_EQ(p.effective_size, 180);
+  EXPECT_DOUBLE_EQ(p.small_rattlers[1]->mean, 0.2);
+  EXPECT_DOUBLE_EQ(p.large_rattlers[2]->mean, 0.03);
+  EXPECT_FALSE(points[1].small_rattlers[1]) << "there are no small spheres";
+  const std::string text = csv(points, table.keys);
+  EXPECT_THAT(text, HasSubstr("5.0,0.3,0.1,100,1000,3,2,0.667,1,0,0,0,180,0.71,"));
+}
+
+TEST(Points, WithoutAJammedSampleHaveNoMean) {
+  SampleTable table = paper_table();
+  table.rows = {spent_row("5.0", "0.3", "0.1", 1)};
+  const auto points = points_of(table);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_FALSE(points[0].mean_phi_J);
+  EXPECT_THAT(curves_of(points, table.keys), IsEmpty());
+}
+
+SampleTable model_curve() {
+  SampleTable table = paper_table();
+  for (const char* f : {"0.5", "0.1", "0.2", "0.3", "0.4", "0.25", "0.35"})
+    for (int seed = 1; seed <= 3; ++seed)
+      table.rows.push_back(
+          jammed_row("20.0", f, "0.3", seed, FurnasModel{0.588}.phi(std::stod(f)) + 0.0005 * (seed - 2)));
+  return table;
+}
+
+TEST(Curves, HaveTheirMaximum) {
+  const SampleTable table = model_curve();
+  const auto curves = curves_of(points_of(table), table.keys);
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].points.front().small_fraction, 0.1);
+  const auto m = maximum_of(curves[0]);
+  ASSERT_TRUE(m);
+  EXPECT_EQ(m->at, 0.3);
+  EXPECT_NEAR(m->f_max, FurnasModel{0.588}.f_max(), 0.01);
+  EXPECT_LE(m->f_max_low, m->f_max);
+  EXPECT_LE(m->f_max, m->f_max_high);
+}
+
+TEST(Refinement, AddsPointsWhereTheMaximumMayBe) {
+  CurveMaximum m{};
+  m.f_max = 0.3;
+  m.f_max_low = 0.2;
+  m.f_max_high = 0.4;
+  EXPECT_THAT(fractions_to_add({0.2, 0.3, 0.4}, m), ElementsAre(0.25, 0.35));
+  m.f_max = 0.32;
+  EXPECT_THAT(fractions_to_add({0.2, 0.3, 0.4}, m), ElementsAre(0.32, 0.26, 0.36));
+  m.f_max = 0.3;
+  m.f_max_low = 0.292;
+  m.f_max_high = 0.308;
+  EXPECT_THAT(fractions_to_add({0.2, 0.3, 0.4}, m), IsEmpty());
+}
+
+}  // namespace
+}  // namespace furnas

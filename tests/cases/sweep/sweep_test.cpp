@@ -1,0 +1,234 @@
+#include "cases/sweep/sweep.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+#include "cases/sweep/sample_table.h"
+#include "tests/cases/process.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Spheres so few and so soft that a sample takes a tenth of a second.
+constexpr const char* soft = R"([mixture]
+large = 40
+start_fraction = 0.2
+[compaction]
+pressure = 1e-3
+[stop]
+stress_error = 1e-2
+force_imbalance = 1e-2
+kinetic_energy = 1e-8
+strain_drift = 1e-3
+window = 1000
+steps = 100_000
+[output]
+picture = "none"
+)";
+
+constexpr const char* soft_sweep = R"([[sweep]]
+samples = 2
+[[sweep]]
+"mixture.size_ratio" = 2.0
+"mixture.large" = 10
+"mixture.small_fraction" = [0.1, 0.3, 0.6]
+)";
+
+/// Samples of a second each, that end with their steps and are saved often.
+constexpr const char* long_sweep = R"([mixture]
+large = 100
+start_fraction = 0.25
+[stop]
+kinetic_energy = 1e-30
+steps = 80_000
+[output]
+checkpoint_minutes = 1e-3
+picture = "none"
+[sweep]
+"contact.friction" = [0.1, 0.3]
+samples = 2
+)";
+
+class Sweeps : public testing::Test {
+ protected:
+  void write(const std::string& text) const { write_file(folder_ / "a.toml", text); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::vector<std::string> command(const std::string& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"sweep", path("a.toml"), "--out", path(out), "--jobs", "2"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Ending sweep(const std::string& out, const std::vector<std::string>& more = {}) const {
+    return ending_of(command(out, more));
+  }
+  SampleTable table(const std::string& out) const { return read_sample_table(path(out)); }
+
+  /// What says that two sweeps came to the same bits.
+  std::vector<std::string> bits(const std::string& out) const {
+    std::vector<std::string> all;
+    for (const SampleRow& row : table(out).rows)
+      all.push_back(row.verdict + " " + std::to_string(row.steps) + " " + row.state_hash);
+    return all;
+  }
+  /// Waits until a sample of the sweep has been saved.
+  bool saved(const std::string& out) const {
+    for (int n = 0; n < 2000; ++n) {
+      if (fs::exists(path(out) + "/samples"))
+        for (const auto& entry : fs::recursive_directory_iterator(path(out) + "/samples"))
+          if (entry.path().filename() == "b.checkpoint") return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Sweeps, FillsItsTablesAndTheFigures) {
+  write(std::string(soft) + soft_sweep);
+  const Ending first = sweep("out");
+  ASSERT_EQ(first.code, 0) << first.out;
+  const SampleTable found = table("out");
+  ASSERT_EQ(found.rows.size(), 5u);
+  for (const SampleRow& row : found.rows) {
+    EXPECT_EQ(row.verdict, "jammed") << row.reason;
+    EXPECT_GT(row.phi_J, 0.5);
+    EXPECT_LT(row.phi_J, 0.85);
+    EXPECT_GT(row.Z_backbone, 3);
+    EXPECT_EQ(row.state_hash.size(), 16u);
+  }
+  const std::string points = content(path("out/points.csv"));
+  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 1 + 4);
+  EXPECT_THAT(content(path("out/maxima.csv")), HasSubstr("f_max"));
+
+  const Ending again = sweep("out");
+  ASSERT_EQ(again.code, 0);
+  EXPECT_THAT(again.out, HasSubstr("5 of 5 samples are finished and not run again"));
+  EXPECT_EQ(bits("out").size(), 5u);
+
+  const Ending drawn = ending_of({"figures", path("out"), "--out", path("figures")});
+  ASSERT_EQ(drawn.code, 0) << drawn.out;
+  for (const char* name : {"figure_1b", "figure_2b", "figure_3a", "figure_3b", "figure_4_alpha_2",
+                           "phi_large_mu_0.3", "phi_small_mu_0.3"})
+    for (const char* extension : {".csv", ".png", ".svg"})
+      EXPECT_GT(fs::file_size(path("figures/") + name + extension), 60u) << name << extension;
+  EXPECT_THAT(content(path("figures/report.md")), HasSubstr("| not reachable here |"));
+
+  const Ending model =
+      ending_of({"model", "--sweep", path("out"), "--friction", "0.3", "--out", path("m.csv")});
+  ASSERT_EQ(model.code, 0) << model.out;
+  EXPECT_THAT(model.out, HasSubstr("f_max"));
+  EXPECT_THAT(content(path("m.csv")), HasSubstr("f_s,phi,low,high"));
+}
+
+TEST_F(Sweeps, RefinesTheMaxima) {
+  write(
+      std::string(soft) +
+      "[sweep]\n\"mixture.size_ratio\" = 2.0\n\"mixture.large\" = 5\n\"mixture.small_fraction\" = [0.1, 0.4, "
+      "0.7]\n");
+  ASSERT_EQ(sweep("out", {"--refine"}).code, 0);
+  const std::size_t refined = table("out").rows.size();
+  EXPECT_GT(refined, 3u);
+  ASSERT_EQ(sweep("out").code, 0);
+  EXPECT_EQ(table("out").rows.size(), refined) << "what was added stays";
+}
+
+TEST_F(Sweeps, ABadPointStopsNoOther) {
+  // Without friction and damping nothing takes energy out: the run refuses it.
+  write(std::string(soft) +
+        "[sweep]\n\"contact.friction\" = [0.0, 0.3]\n\"contact.normal_damping\" = [0.0, 0.5]\n"
+        "\"stop.steps\" = [2000, 100000]\n");
+  const Ending checked = ending_of({"check", path("a.toml")});
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_THAT(checked.out, AllOf(HasSubstr("8 at 8 points"), HasSubstr("nothing takes energy out")));
+  const Ending end = sweep("out");
+  ASSERT_EQ(end.code, 0) << end.out;
+  int jammed = 0, budget = 0, failed = 0;
+  for (const SampleRow& row : table("out").rows) {
+    jammed += row.verdict == "jammed";
+    budget += row.verdict == "budget";
+    failed += row.verdict == "failed";
+    if (row.verdict == "failed") {
+      EXPECT_THAT(row.reason, HasSubstr("nothing takes energy out"));
+    }
+  }
+  EXPECT_EQ(failed, 2);
+  EXPECT_EQ(budget, 3);
+  EXPECT_EQ(jammed, 3);
+}
+
+TEST_F(Sweeps, RefusesAnotherCaseInItsFolder) {
+  write(std::string(soft) + "[sweep]\nsamples = 1\n");
+  ASSERT_EQ(sweep("out").code, 0);
+  const Ending other = sweep("out", {"--set", "contact.normal_damping=0.4"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.out, HasSubstr("holds another case"));
+}
+
+TEST_F(Sweeps, GivesASpentBudgetMore) {
+  write(std::string(soft) + "[sweep]\nsamples = 1\n");
+  ASSERT_EQ(sweep("out", {"--set", "stop.steps=2000"}).code, 0);
+  EXPECT_EQ(table("out").rows[0].verdict, "budget");
+  ASSERT_EQ(sweep("out").code, 0);
+  EXPECT_EQ(table("out").rows[0].verdict, "jammed");
+  ASSERT_EQ(sweep("whole").code, 0);
+  EXPECT_EQ(bits("out"), bits("whole"));
+}
+
+TEST_F(Sweeps, StoppedGoesOnToTheSameBits) {
+  write(long_sweep);
+  ASSERT_EQ(sweep("whole").code, 0);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const std::string out = "stopped" + std::to_string(signal);
+    Process process(command(out));
+    ASSERT_TRUE(saved(out));
+    process.signal(signal);
+    const Ending stopped = process.wait();
+    EXPECT_EQ(stopped.code, 130) << stopped.out;
+    EXPECT_THAT(stopped.out, HasSubstr("all samples are saved"));
+    ASSERT_EQ(sweep(out).code, 0);
+    EXPECT_EQ(bits(out), bits("whole"));
+  }
+}
+
+TEST_F(Sweeps, KilledGoesOnToTheSameBits) {
+  write(long_sweep);
+  ASSERT_EQ(sweep("whole").code, 0);
+  Process process(command("killed"));
+  ASSERT_TRUE(saved("killed"));
+  process.signal(SIGKILL);
+  process.wait();
+  // At once: its samples may still be saving.
+  const Ending end = sweep("killed");
+  ASSERT_EQ(end.code, 0) << end.out;
+  EXPECT_EQ(bits("killed"), bits("whole"));
+}
+
+TEST(NightlySweep, TheSmokeStudyMakesAllFigures) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "smoke").string();
+  Process run({"sweep", std::string(FURNAS_SOURCE_DIR) + "/cases/study/smoke.toml", "--out", out});
+  ASSERT_EQ(run.wait(std::chrono::minutes(10)).code, 0);
+  const SampleTable table = read_sample_table(out);
+  EXPECT_EQ(table.rows.size(), 46u);
+  EXPECT_GE(std::count_if(table.rows.begin(), table.rows.end(), [](const auto& row) { return row.jammed(); }),
+            40);
+  Process draw({"figures", out});
+  ASSERT_EQ(draw.wait(std::chrono::minutes(5)).code, 0);
+  for (const char* name : {"figure_1b", "figure_2a", "figure_2b", "figure_3a", "figure_3b",
+                           "figure_4_alpha_2", "figure_4_alpha_3"})
+    EXPECT_TRUE(fs::exists(out + "/figures/" + name + ".png")) << name;
+}
+
+}  // namespace
+}  // namespace furnas
