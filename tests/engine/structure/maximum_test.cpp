@@ -42,12 +42,14 @@ TEST(Maximum, OfAParabolaIsItsVertex) {
   EXPECT_NEAR(find_maximum(s.x, s.y).at, 0.27, 0.006);
 }
 
+/// Seeds on which the rule was not chosen (docs/decisions.md). An interval that holds it in 95 % of all cases
+/// does so in fewer than 88 of 100 once in a thousand.
 TEST(Maximum, IntervalHoldsItAsOftenAsItSays) {
   const FurnasModel model{0.6};
   int held = 0;
-  constexpr int trials = 40;
+  constexpr int trials = 100;
   double width = 0;
-  for (std::uint32_t seed = 1; seed <= trials; ++seed) {
+  for (std::uint32_t seed = 1001; seed <= 1000 + trials; ++seed) {
     const Samples s = samples_of([&](double f) { return model.phi(f); }, 0.01, seed);
     const Maximum m = find_maximum(s.x, s.y);
     EXPECT_LE(m.low, m.at);
@@ -55,7 +57,7 @@ TEST(Maximum, IntervalHoldsItAsOftenAsItSays) {
     held += m.low <= model.f_max() && model.f_max() <= m.high;
     width += m.half_width() / trials;
   }
-  EXPECT_GE(held, 35);
+  EXPECT_GE(held, 88);
   EXPECT_LT(width, 0.03);
 }
 
