@@ -79,7 +79,11 @@ const Point* Study::mono_at(double friction) const {
 std::optional<FurnasInterval> Study::model(double friction) const {
   const Point* point = mono_at(friction);
   if (point == nullptr) return {};
-  return FurnasInterval(point->mean_phi_J->mean, point->mean_phi_J->half_width);
+  const MeanInterval& phi = *point->mean_phi_J;
+  if (phi.samples < 2) return FurnasInterval(phi.mean, 0);
+  // Two samples that differ have an interval that reaches beyond what a packing can be.
+  constexpr double emptiest = 1e-3, fullest = 1 - emptiest;
+  return FurnasInterval(Interval{phi.mean, std::max(phi.low(), emptiest), std::min(phi.high(), fullest)});
 }
 
 const Curve* Study::curve(double size_ratio, double friction) const {

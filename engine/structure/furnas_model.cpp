@@ -12,12 +12,13 @@ double FurnasModel::phi(double f) const {
   return mono / std::max(1 - f, f + mono * (1 - f));
 }
 
-FurnasInterval::FurnasInterval(double mono, double half_width) : middle_{mono}, low_{mono}, high_{mono} {
-  if (std::isfinite(half_width)) {
-    low_.mono -= half_width;
-    high_.mono += half_width;
-  }
-  require(0 < low_.mono && low_.mono <= high_.mono && high_.mono < 1, "phi_mono lies between 0 and 1");
+FurnasInterval::FurnasInterval(double mono, double half_width)
+    : FurnasInterval(std::isfinite(half_width) ? Interval{mono, mono - half_width, mono + half_width}
+                                               : Interval{mono, mono, mono}) {}
+
+FurnasInterval::FurnasInterval(const Interval& mono) : middle_{mono.value}, low_{mono.low}, high_{mono.high} {
+  require(0 < mono.low && mono.low <= mono.value && mono.value <= mono.high && mono.high < 1,
+          "phi_mono lies between 0 and 1");
 }
 
 Interval FurnasInterval::phi(double f) const { return {middle_.phi(f), low_.phi(f), high_.phi(f)}; }

@@ -36,6 +36,9 @@ class FurnasInterval {
   /// finite, as of a single sample, counts as none.
   FurnasInterval(double mono, double half_width);
 
+  /// phi_mono between two ends, all three in (0, 1) and in order; throws ContractError otherwise.
+  explicit FurnasInterval(const Interval& mono);
+
   Interval phi(double small_fraction) const;  ///< as FurnasModel::phi
   Interval f_max() const;                     ///< as FurnasModel::f_max
   Interval phi_max() const;                   ///< as FurnasModel::phi_max
