@@ -71,12 +71,13 @@ std::string points_table(const Study& study) {
 }  // namespace
 
 std::string report(const Study& study, const std::vector<Figure>& figures) {
-  std::string text =
-      "# The study beside the paper\n\n"
-      "Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* "
-      "(arXiv 2105.00977). Written by `furnas figures`. Means are those of jammed samples alone; intervals "
-      "are "
-      "Student's t, 95 %. n: samples.\n\n";
+  std::string text = R"(# The study beside the paper
+
+Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
+Written by `furnas figures`. Means are those of jammed samples alone; intervals are Student's t, 95 %. n: samples.
+*Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
+
+)";
   text += statements_table(study);
   if (!study.mono.empty()) text += "\n## Equal spheres, and the model that follows\n\n" + mono_table(study);
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
