@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <list>
 #include <thread>
@@ -70,6 +71,18 @@ class Pool {
     all_ = cost_;
   }
 
+  /// Asks those that run to save and stop, and waits for them: also when something goes wrong here.
+  ~Pool() {
+    stopping_ = true;
+    for (Running& r : running_) r.child.stop();
+    while (!running_.empty()) {
+      collect();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
   bool empty() const { return waiting_.empty() && running_.empty(); }
 
   /// Starts what there are threads for. One that needs more waits, and the others behind it: it would wait
@@ -99,21 +112,15 @@ class Pool {
         ++r;
         continue;
       }
-      if (*code < 0)
+      // One that was just starting has nothing to save, and has not failed.
+      const bool asked = stopping_ && *code == -SIGTERM;
+      if (*code < 0 && !asked)
         std::ofstream(r->sample->log(), std::ios::app)
             << fmt::format("\nfurnas: signal {} has ended the process\n", -*code);
       cost_ -= r->sample->cost();
       ++standing_.done;
       if (*code != static_cast<int>(ExitCode::done)) ++standing_.failed;
       r = running_.erase(r);
-    }
-  }
-
-  void stop_all() {
-    for (Running& r : running_) r.child.stop();
-    while (!running_.empty()) {
-      collect();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
 
@@ -142,6 +149,7 @@ class Pool {
   std::list<const Sample*> waiting_;
   std::list<Running> running_;
   SweepStanding standing_;
+  bool stopping_ = false;
   double cost_ = 0, all_ = 0;  ///< of what is not done, and of what was not at the start [particle-steps]
   Clock::time_point begin_ = Clock::now();
 };
@@ -152,10 +160,7 @@ bool run_samples(const std::vector<Sample>& samples, int jobs, Requests& request
                  const std::function<void(const SweepStanding&)>& tell) {
   Pool pool(samples, jobs);
   for (;;) {
-    if (requests.stop) {
-      pool.stop_all();
-      return false;
-    }
+    if (requests.stop) return false;
     pool.collect();
     pool.start_some();
     tell(pool.standing());
