@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/base/require.h"
 #include "io/case_file.h"
 #include "io/case_schema.h"
+#include "io/case_syntax.h"
 #include "io/case_table.h"
 #include "io/case_value.h"
 #include "io/case_words.h"
@@ -71,6 +74,20 @@ SweepGrid grid_of(const toml::table& table, const std::string& file, const Case&
   return grid;
 }
 
+/// An assignment of --set to a key that takes its values from every grid would change nothing.
+void refuse_without_effect(std::string_view assignment, const SweepFile& sweep) {
+  const std::string key = split_assignment(assignment).path;
+  const auto gives = [&](const SweepGrid& grid) {
+    return std::any_of(grid.axes.begin(), grid.axes.end(),
+                       [&](const SweepAxis& axis) { return axis.key == key; });
+  };
+  if (std::all_of(sweep.grids.begin(), sweep.grids.end(), gives))
+    throw InputError(
+        fmt::format("--set {} changes nothing: [sweep] gives {} its values ({}); allowed: keys "
+                    "that the sweep leaves alone",
+                    assignment, key, sweep.grids.front().place));
+}
+
 }  // namespace
 
 bool holds_sweep(const std::filesystem::path& file) { return read_table(file).contains(sweep_table); }
@@ -89,6 +106,7 @@ SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::str
   if (sweep.grids.empty())
     throw InputError(fmt::format("{}: sweep = {} is no table; allowed: [sweep], or [[sweep]] several times",
                                  place_of(*node, name), node_text(*node)));
+  for (const std::string& assignment : overrides) refuse_without_effect(assignment, sweep);
   return sweep;
 }
 

@@ -81,6 +81,10 @@ void validate_point(const Case& c, const SweepGrid& grid) {
   } catch (const InputError& error) {
     throw InputError(grid.place + ": " + error.what());
   }
+  // Samples that are one and the same would pass for independent ones that agree to all digits.
+  if (!c.start.file.empty() && grid.samples > 1)
+    throw InputError(fmt::format("{}: samples = {} of start.file = \"{}\", which has no seed; allowed: 1",
+                                 grid.place, grid.samples, c.start.file));
 }
 
 }  // namespace
