@@ -226,7 +226,7 @@ void add_history(const Study& study, std::vector<Figure>& figures) {
   if (study.history.empty()) return;
   const auto columns = read_history(study.history, {"Time", "Phi", "Press"});
   Chart chart;
-  chart.x.title = "time / (m_s/k_n)^{1/2}";
+  chart.x.title = "time / (ρ d_s^3/k_n)^{1/2}";
   chart.x.logarithmic = true;
   chart.y.title = "φ and p/p_a";
   chart.y.low = 0;
