@@ -87,6 +87,20 @@ TEST_F(SweepFiles, NamesWhatIsWrong) {
   EXPECT_THAT(complaint("[sweep\n"), HasSubstr("a.toml:1"));
 }
 
+TEST_F(SweepFiles, RefuseAssignmentsThatChangeNothing) {
+  const std::vector<std::string> set{"contact.friction=0.2"};
+  const auto read = [&](const char* text) { read_sweep(write(text), set); };
+  EXPECT_NO_THROW(read("[sweep]\n\"mixture.large\" = [5, 6]"));
+  EXPECT_NO_THROW(read("[[sweep]]\n\"contact.friction\" = 0.1\n[[sweep]]\nsamples = 2"));
+  try {
+    read("[[sweep]]\n\"contact.friction\" = 0.1\n[[sweep]]\n\"contact.friction\" = 0.3");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("--set contact.friction=0.2"), HasSubstr("a.toml:1"), HasSubstr("allowed:")));
+  }
+}
+
 TEST_F(SweepFiles, AreNoCases) {
   const auto file = write("[sweep]\nsamples = 2\n");
   try {

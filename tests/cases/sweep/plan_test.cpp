@@ -84,6 +84,17 @@ TEST_F(Plans, RefusesCombinationsThatAreNoCase) {
   }
 }
 
+TEST_F(Plans, RefusesSeedsOfAStartThatHasNone) {
+  write_file(path("a.extxyz"), "");
+  const SweepFile file = sweep("[start]\nfile = \"a.extxyz\"\n[sweep]\nsamples = 2");
+  try {
+    samples_of(file, keys_of(file), "s");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.toml:3: samples = 2 of start.file"));
+  }
+}
+
 TEST_F(Plans, ASampleIsKnownByItsCase) {
   Case c;
   const Sample sample = sample_of(c, {"contact.friction"}, path(""));
