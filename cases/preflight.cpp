@@ -44,11 +44,17 @@ Census census_of(const Case& c) {
   return n;
 }
 
-std::string refusal_of_memory(double needed, const MemoryLimit& limit, const Case& c) {
+std::string refusal_of_memory(double particles, const MemoryLimit& limit, const Case& c) {
+  const double needed = expected_memory(particles, c);
   if (needed <= limit.bytes) return {};
-  return fmt::format(
-      "the run needs about {:.1f} GB and {} {:.1f} GB; take fewer particles (mixture.large = {})",
-      needed / 1e9, limit.source, limit.bytes / 1e9, c.mixture.large);
+  Case undrawn = c;
+  undrawn.output.picture = "none";
+  const std::string instead =
+      expected_memory(particles, undrawn) <= limit.bytes
+          ? fmt::format("a smaller picture (output.picture_size = {})", c.output.picture_size)
+          : fmt::format("fewer particles (mixture.large = {})", c.mixture.large);
+  return fmt::format("the run needs about {:.1f} GB and {} {:.1f} GB; take {}", needed / 1e9, limit.source,
+                     limit.bytes / 1e9, instead);
 }
 
 /// A run that cannot come to rest, or not within a lifetime.
@@ -91,12 +97,15 @@ double restitution(double a, double b, double damping) {
   return std::exp(-0.5 * damping * std::numbers::pi / std::sqrt(square));
 }
 
-double expected_memory(double particles, bool friction) {
-  // Measured peaks, docs/performance.md; they stand at the end, when the files are written.
-  constexpr double with_friction = 2050;
-  constexpr double without_friction = 1950;
-  constexpr double program = 31e6;
-  return program + particles * (friction ? with_friction : without_friction);
+double expected_memory(double particles, const Case& c) {
+  // Measured peaks, docs/performance.md: that of the files when they are written, that of the picture after
+  // it.
+  constexpr double program = 36e6, renderer = 126e6, pixel = 89, drawn_particle = 1450;
+  const double particle = c.compute.precision == "double" ? 1880 : 1650;
+  const double files = program + particles * particle;
+  if (c.output.picture == "none") return files;
+  const double edge = c.output.picture_size;
+  return std::max(files, renderer + pixel * edge * edge + particles * drawn_particle);
 }
 
 Preflight check_case(const Case& c, const MemoryLimit& limit) {
@@ -119,8 +128,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   out.report += fmt::format(
       "cell      about {:.1f} large diameters wide when dense{}\n", diameters,
       diameters < 2.1 ? ", so spheres meet several images of each other: slower, still right" : "");
-  const double memory = expected_memory(n.particles(), c.contact.friction > 0);
-  out.report += fmt::format("memory    about {:.2f} GB\n", memory / 1e9);
+  out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
   const int threads =
       c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));
   const double rate = 6e6 * threads;  // particle-steps a second, docs/performance.md
@@ -135,7 +143,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       windows * static_cast<double>(c.stop.window) > static_cast<double>(c.stop.steps))
     out.report += fmt::format("verdict   none: {} window{} of {} steps do not fit into the cap of {} steps\n",
                               windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
-  out.refusal = refusal_of_memory(memory, limit, c);
+  out.refusal = refusal_of_memory(n.particles(), limit, c);
   if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c);
   return out;
 }

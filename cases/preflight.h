@@ -16,8 +16,8 @@ struct Preflight {
 /// Works out sizes, time scales, memory and expected time of a case without building its packing.
 Preflight check_case(const Case& c, const MemoryLimit& limit = memory_limit());
 
-/// Memory of a run at its peak, in bytes, for so many particles.
-double expected_memory(double particles, bool friction);
+/// Memory of a run of so many particles at its peak, once they touch, in bytes.
+double expected_memory(double particles, const Case& c);
 
 /// Restitution of a head-on pair of spheres with these diameters: exp(-gamma t/2), t the time of contact
 /// [d_s]; 0 if the pair is overdamped.

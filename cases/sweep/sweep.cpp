@@ -187,14 +187,13 @@ std::string sweep_report(const SweepFile& sweep) {
   const std::vector<Sample> samples = samples_of(sweep, keys_of(sweep), {});
   double cost = 0, longest = 0;
   std::set<fs::path> points;
-  double largest = 0;
-  bool friction = false;
+  double largest = 0, memory = 0;
   std::string refusals;
   for (const Sample& sample : samples) {
     cost += sample.cost();
     longest = std::max(longest, sample.cost());
     largest = std::max(largest, sample.particles);
-    friction |= sample.resolved_case.contact.friction > 0;
+    memory = std::max(memory, expected_memory(sample.particles, sample.resolved_case));
     if (!points.insert(sample.folder.parent_path()).second) continue;
     const std::string refusal = check_case(sample.resolved_case).refusal;
     if (!refusal.empty())
@@ -205,8 +204,8 @@ std::string sweep_report(const SweepFile& sweep) {
       "samples   {} at {} points\n"
       "particles at most {:.0f} in a sample, about {:.2f} GB\n"
       "time      about {} on one core, {} on the {} of this machine; the longest sample {} on one core\n{}",
-      samples.size(), points.size(), largest, expected_memory(largest, friction) / 1e9,
-      duration_text(seconds), duration_text(seconds / available_threads()), available_threads(),
+      samples.size(), points.size(), largest, memory / 1e9, duration_text(seconds),
+      duration_text(seconds / available_threads()), available_threads(),
       duration_text(longest / pace_of_a_core), refusals);
 }
 

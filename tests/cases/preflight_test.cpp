@@ -7,6 +7,9 @@
 #include <numbers>
 #include <string>
 
+#include "tests/cases/process.h"
+#include "tests/cases/runs.h"
+
 namespace furnas {
 namespace {
 
@@ -90,10 +93,13 @@ TEST(Preflight, RefusesWhatTheMachineCannotHold) {
 /// A control group or ulimit that allows less than the machine has counts.
 TEST(ReliablePreflight, RefusesWhatALimitForbids) {
   const Case c = bidisperse();
-  const double needed = expected_memory(1e4, true);
-  EXPECT_TRUE(check_case(c, {10 * needed, "this machine has"}).refusal.empty());
+  EXPECT_TRUE(check_case(c, {10 * expected_memory(1e4, c), "this machine has"}).refusal.empty());
   const std::string refusal = check_case(c, {1e6, "its control group allows"}).refusal;
-  EXPECT_THAT(refusal, HasSubstr("its control group allows 0.0 GB"));
+  EXPECT_THAT(refusal,
+              HasSubstr("its control group allows 0.0 GB; take fewer particles (mixture.large = 100)"));
+  EXPECT_THAT(
+      check_case(c, {1e8, "ulimit allows"}).refusal,
+      HasSubstr("0.5 GB and ulimit allows 0.1 GB; take a smaller picture (output.picture_size = 2000)"));
 }
 
 TEST(ReliablePreflight, RefusesWhatNeverComesToRest) {
@@ -135,21 +141,47 @@ TEST(Preflight, CountsAnyNumberOfSpheres) {
   c.mixture.size_ratio = 40;
   c.mixture.small_fraction = 0.292;
   EXPECT_THAT(check_case(c).report, HasSubstr("particles 26396480: 1000 large"));  // the study's largest
-  EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 54.14 GB"));
+  EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 43.59 GB"));
   c.mixture.large = 10'000'000;
   c.mixture.size_ratio = 100;
   c.mixture.small_fraction = 0.75;
   const Preflight largest = check_case(c);
   EXPECT_THAT(largest.report, HasSubstr("particles 30000010000000: 10000000 large"));
-  EXPECT_THAT(largest.report, HasSubstr("memory    about 61500020.53 GB"));
+  EXPECT_THAT(largest.report, HasSubstr("memory    about 49500016.54 GB"));
   EXPECT_THAT(largest.refusal, HasSubstr("mixture.large = 10000000"));
 }
 
 TEST(Preflight, MemoryGrowsWithTheSpheres) {
-  EXPECT_GT(expected_memory(1e6, true), expected_memory(1e6, false));
-  EXPECT_NEAR(expected_memory(3e6, true) - expected_memory(2e6, true),
-              expected_memory(2e6, true) - expected_memory(1e6, true), 1);
-  EXPECT_GT(expected_memory(0, true), 0);
+  Case c;
+  c.output.picture = "none";
+  EXPECT_GT(expected_memory(0, c), 0);
+  EXPECT_NEAR(expected_memory(3e6, c) - expected_memory(2e6, c),
+              expected_memory(2e6, c) - expected_memory(1e6, c), 1);
+  Case drawn = c;
+  drawn.output.picture = "fig1a";
+  EXPECT_GT(expected_memory(1e4, drawn), expected_memory(1e4, c));
+  EXPECT_EQ(expected_memory(1e8, drawn), expected_memory(1e8, c)) << "the files need more than the picture";
+  c.compute.precision = "double";
+  EXPECT_GT(expected_memory(1e8, c), expected_memory(1e8, drawn));
+}
+
+/// What `check` foretells is what the process holds at its peak.
+TEST(ReliablePreflight, ForetellsTheMemoryOfARun) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs more";
+#endif
+  const Runs runs;
+  ASSERT_EQ(runs.run("small").code, ExitCode::done);
+  ASSERT_EQ(furnas({"replicate", runs.path("small"), runs.path("large.checkpoint"), "--times", "8x8x8"}).code,
+            ExitCode::done);
+  write_file(runs.path("large.toml"),
+             "[start]\nfile = \"large.checkpoint\"\n[stop]\nsteps = 10\n[output]\npicture = \"none\"\n");
+  const Ending ending = ending_of({"run", runs.path("large.toml"), "--out", runs.path("large")});
+  ASSERT_EQ(ending.code, 5) << ending.out;
+  Case c;
+  c.output.picture = "none";
+  const double foretold = expected_memory(51'200, c);
+  EXPECT_NEAR(ending.peak, foretold, 0.1 * foretold);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,7 +70,8 @@ void Process::signal(int number) const {
 }
 
 bool Process::runs() {
-  if (!over_) over_ = ::waitpid(pid_, &status_, WNOHANG) == pid_;
+  struct rusage used {};
+  if (!over_) over_ = ::wait4(pid_, &status_, WNOHANG, &used) == pid_, peak_ = used.ru_maxrss;
   return !over_;
 }
 
@@ -82,6 +84,7 @@ Ending Process::wait(std::chrono::seconds limit) {
   Ending ending;
   if (WIFEXITED(status_)) ending.code = WEXITSTATUS(status_);
   if (WIFSIGNALED(status_)) ending.signal = WTERMSIG(status_);
+  ending.peak = 1024.0 * static_cast<double>(peak_);
   ending.out = content(said_);
   return ending;
 }

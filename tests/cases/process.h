@@ -14,6 +14,7 @@ namespace furnas {
 struct Ending {
   int code = -1;    ///< exit code; -1 if a signal ended it
   int signal = 0;   ///< that ended it
+  double peak{};    ///< most memory it held, resident [bytes]
   std::string out;  ///< standard output and standard error together
 };
 
@@ -37,6 +38,7 @@ class Process {
  private:
   pid_t pid_ = -1;
   int status_ = 0;
+  long peak_ = 0;  ///< [kB]
   bool over_ = false;
   std::filesystem::path said_;
 };
