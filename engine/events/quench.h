@@ -29,8 +29,7 @@ class Quench final : public Event {
  private:
   RestWatch& watch_;
   std::int64_t count_ = 0;
-  std::int64_t slow_windows_ =
-      0;  ///< ends of windows at which all but the balance was nearly there, more than not
+  std::int64_t slow_windows_ = 0;  ///< ends of windows with all but the balance nearly there, more than not
 };
 
 }  // namespace furnas
