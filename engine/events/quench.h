@@ -12,6 +12,9 @@ namespace furnas {
 /// knock at a backbone long settled, a cell that shears to and fro while contacts see peculiar velocities
 /// alone, soft modes of many spheres without friction that keep each other moving. It changes no position and
 /// no force, only the time until they balance; docs/decisions.md has the measurement.
+///
+/// At first it acts at each end of a window. Where that does not bring rest, something slow is on its way
+/// that each quench holds up; from then on it waits until the motion has passed its peak.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}
@@ -29,6 +32,7 @@ class Quench final : public Event {
  private:
   RestWatch& watch_;
   std::int64_t count_ = 0;
+  double peak_ = 0;  ///< the largest kinetic energy of particles and cell since the last quench [k_n d_s^2]
   std::int64_t slow_windows_ = 0;  ///< ends of windows with all but the balance nearly there, more than not
 };
 

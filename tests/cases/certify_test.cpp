@@ -223,5 +223,10 @@ TEST(NightlyCertify, PassesTenThousandSpheres) {
   expect_certified({"contact.friction=0.3", "mixture.large=10000"});
 }
 
+// Without friction the softest modes of many spheres take long to settle: a million steps.
+TEST(NightlyCertify, PassesThreeThousandSpheresWithoutFriction) {
+  expect_certified({"contact.friction=0", "mixture.large=3000", "stop.steps=5_000_000"});
+}
+
 }  // namespace
 }  // namespace furnas

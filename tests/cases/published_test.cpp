@@ -188,22 +188,8 @@ TEST_P(CellProtocol, MovesPhiByLessThanTwoHundredths) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Nightly, CellProtocol,
-                         testing::Values("inertia=0.1", "inertia=0.3", "inertia=3.0", "drag=0.04",
-                                         "drag=0.4"));
-
-/// A cell ten times as heavy as the packing breathes on: contacts that see peculiar velocities hardly damp
-/// it.
-TEST(NightlyProtocol, AHeavyCellIsNotAtRestInTwoMillionSteps) {
-  for (int seed : {1, 2}) {
-    const Json r =
-        sample({"mono_1000_mu_0.3_inertia=10.0", with_friction, {"compaction.inertia=10.0"}, 2}, seed);
-    EXPECT_EQ(r["verdict"], "budget");
-    EXPECT_TRUE(r["phi_J"].is_null());
-    EXPECT_NEAR(r["phi"], 0.5911, 0.02);
-    fmt::print("| heavy cell, sample {} | not at rest | phi {:.4f} | stress error {:.1e} | | |\n", seed,
-               r["phi"].get<double>(), r["stress_error"].get<double>());
-  }
-}
+                         testing::Values("inertia=0.1", "inertia=0.3", "inertia=3.0", "inertia=10.0",
+                                         "drag=0.04", "drag=0.4"));
 
 /// How much the integrator of the contact law moves phi_J.
 struct Mixed {

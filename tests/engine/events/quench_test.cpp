@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/analysis/energy.h"
 #include "engine/events/limits.h"
@@ -75,6 +77,48 @@ TEST(Quench, DoesNotWaitForEverForTheForcesToBalance) {
   EXPECT_EQ(windows_until_due(), 51);
   EXPECT_EQ(windows_until_due(5), 53);
   for (int resumed : {1, 4, 11, 52}) EXPECT_EQ(windows_until_due(5, resumed), 53);
+}
+
+/// After twenty quenches that brought no rest it lets a swing pass its peak, also in another process.
+TEST(Quench, WaitsForThePeakWhereTwentyHaveNotBroughtRest) {
+  const auto length = static_cast<std::size_t>(RestWatch({}).window_length());
+  const std::vector<double> swing{0, 0, 1, 3, 5, 3, 2, 4};  // window 6 is the first below half of the peak
+  const auto first_due = [&](const std::string& before, bool resumed) {
+    RestingStory story([&](std::int64_t step) {
+      return Unrest{.force_imbalance = 5e-3,
+                    .rattler_energy = swing.at(static_cast<std::size_t>(step) / length)};
+    });
+    auto quench = std::make_unique<Quench>(story.watch);
+    quench->recall(before);
+    for (int window = 1; window < 8; ++window) {
+      for (int k = 0; k < 10; ++k) {
+        story.simulation.advance(story.watch.period(), nullptr);
+        story.watch.look(story.now);
+      }
+      if (quench->due(story.now)) return window;
+      if (!resumed) continue;
+      const std::string memory = quench->memory();
+      quench = std::make_unique<Quench>(story.watch);
+      quench->recall(memory);
+    }
+    return 0;
+  };
+  for (const bool resumed : {false, true}) {
+    EXPECT_EQ(first_due("19 0 0", resumed), 2) << "when the first window is full";
+    EXPECT_EQ(first_due("20 0 0", resumed), 6);
+    EXPECT_EQ(first_due("20 0 3", resumed), 2) << "it has passed its peak";
+  }
+}
+
+TEST(Quench, RefusesAMemoryThatIsNone) {
+  RestWatch watch({});
+  Quench quench(watch);
+  quench.recall("");
+  quench.recall("2 3 1e-9");
+  EXPECT_EQ(quench.memory(), "2 3 1e-09");
+  for (const char* memory :
+       {"2", "2 3", "2 3 ", "2 3 x", "2 3 -1", "2 3 nan", "2 3 4 5", "-1 2 3", " ", "  "})
+    EXPECT_THROW(quench.recall(memory), InputError) << memory;
 }
 
 TEST(Quench, TakesOutAllMotionAndNothingElse) {
