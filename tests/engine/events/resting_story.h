@@ -52,7 +52,7 @@ class RestingStory {
  public:
   using Tale = std::function<Unrest(std::int64_t step)>;
 
-  explicit RestingStory(Tale tale, const RestCriteria& criteria = {})
+  explicit RestingStory(const Tale& tale, const RestCriteria& criteria = {})
       : simulation([tale](std::int64_t step) { return almost_resting(tale(step)); }),
         now(simulation, 3),
         watch(criteria) {
