@@ -7,13 +7,13 @@
 namespace furnas {
 namespace {
 
-const char* text_of(Finding finding) {
-  switch (finding) {
-    case Finding::reproduced:
+const char* text_of(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::reproduced:
       return "reproduced";
-    case Finding::not_reproduced:
+    case Agreement::not_reproduced:
       return "not reproduced";
-    case Finding::not_reachable:
+    case Agreement::not_reachable:
       break;
   }
   return "not reachable here";
@@ -24,8 +24,8 @@ std::string statements_table(const Study& study) {
       "| statement | paper | here (95 % intervals) | n | verdict | counts as reproduced when |\n"
       "|---|---|---|---|---|---|\n";
   for (const Statement& s : statements_of(study))
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", s.what, s.paper, s.ours, s.n, text_of(s.finding),
-                        s.rule);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", s.what, s.paper, s.ours, s.n,
+                        text_of(s.agreement), s.rule);
   return text;
 }
 

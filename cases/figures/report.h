@@ -8,7 +8,7 @@
 namespace furnas {
 
 /// What a study says of a statement of the paper.
-enum class Finding { reproduced, not_reproduced, not_reachable };
+enum class Agreement { reproduced, not_reproduced, not_reachable };
 
 /// A statement of the paper beside what a study has.
 struct Statement {
@@ -16,7 +16,7 @@ struct Statement {
   std::string paper;  ///< its value
   std::string ours;   ///< with intervals; "-" without data
   std::string n;      ///< samples behind it
-  Finding finding = Finding::not_reachable;
+  Agreement agreement = Agreement::not_reachable;
   std::string rule;  ///< when it counts as reproduced
 };
 

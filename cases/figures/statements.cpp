@@ -23,33 +23,33 @@ double reach_of(const Point& point) {
 }
 
 /// What is to be positive, known +- reach: told only where the interval leaves no doubt.
-Finding positive(double value, double reach) {
-  if (value - reach > 0) return Finding::reproduced;
-  return value + reach <= 0 ? Finding::not_reproduced : Finding::not_reachable;
+Agreement positive(double value, double reach) {
+  if (value - reach > 0) return Agreement::reproduced;
+  return value + reach <= 0 ? Agreement::not_reproduced : Agreement::not_reachable;
 }
 
 /// A number of the paper: ours may differ by our interval and by what finite samples shift it. An interval
 /// that holds nearly everything agrees with nothing.
-Finding near(double ours, double reach, double paper, double tolerance) {
-  if (std::abs(ours - paper) > tolerance + reach) return Finding::not_reproduced;
-  return reach > 2 * tolerance ? Finding::not_reachable : Finding::reproduced;
+Agreement near(double ours, double reach, double paper, double tolerance) {
+  if (std::abs(ours - paper) > tolerance + reach) return Agreement::not_reproduced;
+  return reach > 2 * tolerance ? Agreement::not_reachable : Agreement::reproduced;
 }
 
 /// One part that is not so denies the whole, one that cannot be told leaves it open.
-Finding all_of(const std::vector<Finding>& parts) {
-  for (const Finding worst : {Finding::not_reproduced, Finding::not_reachable})
+Agreement all_of(const std::vector<Agreement>& parts) {
+  for (const Agreement worst : {Agreement::not_reproduced, Agreement::not_reachable})
     if (std::find(parts.begin(), parts.end(), worst) != parts.end()) return worst;
-  return parts.empty() ? Finding::not_reachable : Finding::reproduced;
+  return parts.empty() ? Agreement::not_reachable : Agreement::reproduced;
 }
 
 void compare(Statement& s, const Point& ours, double paper, double tolerance) {
   s.ours = text_of(*ours.mean_phi_J);
   s.n = std::to_string(ours.phi_J.size());
-  s.finding = near(ours.mean_phi_J->mean, reach_of(ours), paper, tolerance);
+  s.agreement = near(ours.mean_phi_J->mean, reach_of(ours), paper, tolerance);
 }
 
 Statement begin(std::string what, std::string paper, std::string rule) {
-  return {std::move(what), std::move(paper), "-", "0", Finding::not_reachable, std::move(rule)};
+  return {std::move(what), std::move(paper), "-", "0", Agreement::not_reachable, std::move(rule)};
 }
 
 Statement mono(const Study& study, double mu, double paper, double tolerance) {
@@ -101,7 +101,7 @@ Statement near_model(const Study& study) {
                       "each friction within 2 % and the interval, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
-  std::vector<Finding> parts;
+  std::vector<Agreement> parts;
   const double largest = largest_ratio(study);
   for (const Highest& h : maxima_at(study, largest)) {
     if (!h.model) continue;
@@ -114,7 +114,7 @@ Statement near_model(const Study& study) {
   if (parts.empty()) return s;
   s.ours = text;
   s.n = std::to_string(n);
-  if (largest >= alpha) s.finding = all_of(parts);
+  if (largest >= alpha) s.agreement = all_of(parts);
   return s;
 }
 
@@ -123,7 +123,7 @@ Statement small_ratio(const Study& study) {
                       "between φ_mono and the model, apart from both by more than the intervals");
   std::string text;
   std::size_t n = 0;
-  std::vector<Finding> parts;
+  std::vector<Agreement> parts;
   for (const Highest& h : maxima_at(study, 2)) {
     if (!h.model) continue;
     const MeanInterval& ours = h.maximum.phi_max;
@@ -136,7 +136,7 @@ Statement small_ratio(const Study& study) {
   if (parts.empty()) return s;
   s.ours = text;
   s.n = std::to_string(n);
-  s.finding = all_of(parts);
+  s.agreement = all_of(parts);
   return s;
 }
 
@@ -156,7 +156,7 @@ Statement f_max_rises(const Study& study) {
       largest_ratio(study), low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max,
       high.f_max_low, high.f_max_high, maxima.back().friction, rise, reach);
   s.n = std::to_string(low.phi_max.samples + high.phi_max.samples);
-  s.finding = rise - reach > most ? Finding::not_reproduced : positive(rise, reach);
+  s.agreement = rise - reach > most ? Agreement::not_reproduced : positive(rise, reach);
   return s;
 }
 
@@ -207,7 +207,7 @@ Statement rattlers(const Study& study) {
   if (!any) return s;
   s.ours = fmt::format("α = {}: {}", largest, text);
   s.n = std::to_string(n);
-  if (largest >= alpha) s.finding = holds ? Finding::reproduced : Finding::not_reproduced;
+  if (largest >= alpha) s.agreement = holds ? Agreement::reproduced : Agreement::not_reproduced;
   return s;
 }
 
@@ -239,17 +239,17 @@ Statement friction_lowers(const Study& study) {
                        std::count_if(falls.begin(), falls.end(), [](double fall) { return fall > 0; }),
                        falls.size(), text_of(average), frictions.back(), frictions.front());
   s.n = std::to_string(n);
-  s.finding = denied ? Finding::not_reproduced : positive(average.mean, average.half_width);
+  s.agreement = denied ? Agreement::not_reproduced : positive(average.mean, average.half_width);
   return s;
 }
 
 /// Whether the highest point within a curve lies above both of its ends.
-Finding has_maximum(const Curve& curve) {
+Agreement has_maximum(const Curve& curve) {
   const Point &first = curve.points.front(), &last = curve.points.back();
   const Point& inner = *std::max_element(
       curve.points.begin() + 1, curve.points.end() - 1,
       [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; });
-  std::vector<Finding> parts;
+  std::vector<Agreement> parts;
   for (const Point* end : {&first, &last})
     parts.push_back(positive(inner.mean_phi_J->mean - end->mean_phi_J->mean,
                              std::hypot(reach_of(inner), reach_of(*end))));
@@ -261,19 +261,19 @@ Statement rises_and_falls(const Study& study) {
                       "within each curve a point lies above both of its ends by more than the intervals");
   std::string text;
   std::size_t n = 0;
-  std::vector<Finding> parts;
+  std::vector<Agreement> parts;
   for (const Curve& curve : study.curves) {
     if (curve.points.size() < 3) continue;
     parts.push_back(has_maximum(curve));
-    if (parts.back() != Finding::reproduced)
+    if (parts.back() != Agreement::reproduced)
       append(text, fmt::format("α = {}, μ = {}: {}", curve.size_ratio(), curve.friction(),
-                               parts.back() == Finding::not_reproduced ? "no maximum" : "cannot be told"));
+                               parts.back() == Agreement::not_reproduced ? "no maximum" : "cannot be told"));
     for (const Point& p : curve.points) n += p.jammed;
   }
   if (parts.empty()) return s;
   s.ours = text.empty() ? "each curve" : text;
   s.n = std::to_string(n);
-  s.finding = all_of(parts);
+  s.agreement = all_of(parts);
   return s;
 }
 

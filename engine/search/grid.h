@@ -74,15 +74,15 @@ void visit_run(const Grid& grid, std::int64_t low, std::int64_t high, const Wrap
   }
 }
 
-/// A stretch of numbers.
-struct Interval {
+/// Two bounds of a number.
+struct Bounds {
   double low, high;
   /// The smallest size of what lies in it.
   double least() const { return low > 0 ? low : high < 0 ? -high : 0; }
-  Interval operator+(const Interval& b) const { return {low + b.low, high + b.high}; }
+  Bounds operator+(const Bounds& b) const { return {low + b.low, high + b.high}; }
 };
-inline Interval operator*(double a, const Interval& b) {
-  return a >= 0 ? Interval{a * b.low, a * b.high} : Interval{a * b.high, a * b.low};
+inline Bounds operator*(double a, const Bounds& b) {
+  return a >= 0 ? Bounds{a * b.low, a * b.high} : Bounds{a * b.high, a * b.low};
 }
 
 /// The bins whose points may be within `radius` of a centre in the cell `edges`: slabs along z, columns along
@@ -93,26 +93,26 @@ void visit_ball(const Grid& grid, const Triangle& edges, const Vec3<double>& cen
                 Visit&& visit) {
   const auto extent = [&](int axis, std::int64_t bin, double middle) {
     const double width = 1 / static_cast<double>(grid.count[axis]);
-    return Interval{static_cast<double>(bin) * width - middle, static_cast<double>(bin + 1) * width - middle};
+    return Bounds{static_cast<double>(bin) * width - middle, static_cast<double>(bin + 1) * width - middle};
   };
   // Bins along an axis in which |step s + rest| can be below `reach`.
-  const auto bins = [&](int axis, double step, const Interval& rest, double reach, double middle) {
+  const auto bins = [&](int axis, double step, const Bounds& rest, double reach, double middle) {
     const auto n = static_cast<double>(grid.count[axis]);
     return std::pair{static_cast<std::int64_t>(std::floor(((-reach - rest.high) / step + middle) * n)),
                      static_cast<std::int64_t>(std::floor(((reach - rest.low) / step + middle) * n))};
   };
   const auto [z_low, z_high] = bins(2, edges.zz, {0, 0}, radius, centre.z);
   for (std::int64_t z = z_low; z <= z_high; ++z) {
-    const Interval sz = extent(2, z, centre.z);
+    const Bounds sz = extent(2, z, centre.z);
     const double left_z = radius * radius - std::pow((edges.zz * sz).least(), 2);
     if (left_z < 0) continue;
-    const Interval shift_y = edges.yz * sz;
+    const Bounds shift_y = edges.yz * sz;
     const auto [y_low, y_high] = bins(1, edges.yy, shift_y, std::sqrt(left_z), centre.y);
     for (std::int64_t y = y_low; y <= y_high; ++y) {
-      const Interval sy = extent(1, y, centre.y);
+      const Bounds sy = extent(1, y, centre.y);
       const double left_y = left_z - std::pow((edges.yy * sy + shift_y).least(), 2);
       if (left_y < 0) continue;
-      const Interval shift_x = edges.xy * sy + edges.xz * sz;
+      const Bounds shift_x = edges.xy * sy + edges.xz * sz;
       const auto [x_low, x_high] = bins(0, edges.xx, shift_x, std::sqrt(left_y), centre.x);
       visit_run(grid, x_low, x_high, wrapped(y, grid.count[1]), wrapped(z, grid.count[2]), visit);
     }

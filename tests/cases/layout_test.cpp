@@ -153,6 +153,22 @@ void check_shape(const Source& source, Violations& violations) {
     violations.add(source, source.lines.size(), "a file has at most 400 lines; split it by meaning");
 }
 
+/// Two types of one name make one program wrong without a word: the linker keeps one of their functions.
+void check_names(const std::vector<Source>& sources, Violations& violations) {
+  const std::regex definition(
+      R"(^(struct|class|enum class|enum) (alignas\([^)]*\) )?(\w+)( final)?( : [^;]*)?( \{.*)?$)");
+  std::map<std::string, std::string> headers;
+  for (const Source& source : sources) {
+    if (!source.path.ends_with(".h") || source.path.starts_with("tests/")) continue;
+    for (std::size_t n = 0; n < source.lines.size(); ++n) {
+      std::smatch match;
+      if (!std::regex_match(source.lines[n], match, definition)) continue;
+      const auto [known, is_new] = headers.emplace(match[3], source.path);
+      if (!is_new) violations.add(source, n + 1, known->first + " is defined in " + known->second + ", too");
+    }
+  }
+}
+
 std::string violations_of(const std::vector<Source>& sources, const fs::path& root) {
   Violations violations;
   for (const Source& source : sources) {
@@ -160,6 +176,7 @@ std::string violations_of(const std::vector<Source>& sources, const fs::path& ro
     check_silence(source, violations);
     check_shape(source, violations);
   }
+  check_names(sources, violations);
   return violations.text();
 }
 
@@ -198,6 +215,9 @@ TEST(Layout, EachRuleBites) {
   };
   for (const auto& [expected, source] : broken)
     EXPECT_NE(violations_of({source}, root).find(expected), std::string::npos) << expected;
+  const std::vector<Source> twins = {{"engine/base/a.h", {"#pragma once", "struct Finding {"}},
+                                     {"io/a.h", {"#pragma once", "enum class Finding { yes, no };"}}};
+  EXPECT_NE(violations_of(twins, root).find("Finding is defined in engine/base/a.h, too"), std::string::npos);
 }
 
 }  // namespace

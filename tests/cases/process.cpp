@@ -76,6 +76,9 @@ bool Process::runs() {
 }
 
 Ending Process::wait(std::chrono::seconds limit) {
+#ifdef __SANITIZE_ADDRESS__
+  limit *= 10;  // as much slower is the program
+#endif
   const auto end = std::chrono::steady_clock::now() + limit;
   while (runs()) {
     if (std::chrono::steady_clock::now() > end) signal(SIGKILL);

@@ -81,8 +81,8 @@ TEST(Statements, AgreeWhereTheStudyDoes) {
   for (const char* what :
        {"equal spheres, μ = 0:", "equal spheres, μ = 0.3:", "rises to a maximum", "friction lowers",
         "α = 20, μ = 0, f_s = 0.265", "within 2 %", "α = 2: φ_max", "f_max rises", "rattle below"})
-    EXPECT_EQ(about(all, what).finding, Finding::reproduced) << what << ": " << about(all, what).ours;
-  EXPECT_EQ(about(all, "α = 40, μ = 0").finding, Finding::not_reachable);
+    EXPECT_EQ(about(all, what).agreement, Agreement::reproduced) << what << ": " << about(all, what).ours;
+  EXPECT_EQ(about(all, "α = 40, μ = 0").agreement, Agreement::not_reachable);
 }
 
 TEST(Statements, DisagreeWhereTheStudyDoes) {
@@ -94,12 +94,12 @@ TEST(Statements, DisagreeWhereTheStudyDoes) {
   const auto all = statements_of(study_from(table));
   for (const char* what : {"equal spheres, μ = 0:", "equal spheres, μ = 0.3:", "friction lowers",
                            "α = 20, μ = 0, f_s = 0.265", "rattle below"})
-    EXPECT_EQ(about(all, what).finding, Finding::not_reproduced) << what << ": " << about(all, what).ours;
+    EXPECT_EQ(about(all, what).agreement, Agreement::not_reproduced) << what << ": " << about(all, what).ours;
 }
 
 TEST(Statements, OfNothingAreNotReachable) {
   for (const Statement& s : statements_of(Study{})) {
-    EXPECT_EQ(s.finding, Finding::not_reachable) << s.what;
+    EXPECT_EQ(s.agreement, Agreement::not_reachable) << s.what;
     EXPECT_EQ(s.ours, "-") << s.what;
   }
 }
@@ -117,36 +117,36 @@ Point point(double size_ratio, double small_fraction, double friction, std::vect
   return p;
 }
 
-Finding of_number(std::vector<double> phi_J, std::int64_t large = 100) {
+Agreement of_number(std::vector<double> phi_J, std::int64_t large = 100) {
   Study study;
   study.curves = {{{point(20, 0.29, 0.3, std::move(phi_J), large)}}};
-  return about(statements_of(study), "α = 20, μ = 0.3, f_s = 0.29").finding;  // 0.823
+  return about(statements_of(study), "α = 20, μ = 0.3, f_s = 0.29").agreement;  // 0.823
 }
 
 TEST(Statements, AnIntervalThatHoldsNearlyAllAgreesWithNothing) {
-  EXPECT_EQ(of_number({0.820, 0.821, 0.822}), Finding::reproduced);
-  EXPECT_EQ(of_number({0.80, 0.85}), Finding::not_reachable);
-  EXPECT_EQ(of_number({0.75, 0.77}), Finding::not_reachable);
-  EXPECT_EQ(of_number({0.760, 0.761, 0.762}), Finding::not_reproduced);
+  EXPECT_EQ(of_number({0.820, 0.821, 0.822}), Agreement::reproduced);
+  EXPECT_EQ(of_number({0.80, 0.85}), Agreement::not_reachable);
+  EXPECT_EQ(of_number({0.75, 0.77}), Agreement::not_reachable);
+  EXPECT_EQ(of_number({0.760, 0.761, 0.762}), Agreement::not_reproduced);
 }
 
 TEST(Statements, ALoneSampleCountsIfItIsLarge) {
-  EXPECT_EQ(of_number({0.82}), Finding::not_reachable);
-  EXPECT_EQ(of_number({0.82}, 1000), Finding::reproduced);
-  EXPECT_EQ(of_number({0.76}, 1000), Finding::not_reproduced);
+  EXPECT_EQ(of_number({0.82}), Agreement::not_reachable);
+  EXPECT_EQ(of_number({0.82}, 1000), Agreement::reproduced);
+  EXPECT_EQ(of_number({0.76}, 1000), Agreement::not_reproduced);
 }
 
-Finding of_curve(double first, double middle, double last, double scatter) {
+Agreement of_curve(double first, double middle, double last, double scatter) {
   Study study;
   const auto at = [&](double f, double phi) { return point(3, f, 0.3, {phi - scatter, phi, phi + scatter}); };
   study.curves = {{{at(0.1, first), at(0.3, middle), at(0.5, last)}}};
-  return about(statements_of(study), "rises to a maximum").finding;
+  return about(statements_of(study), "rises to a maximum").agreement;
 }
 
 TEST(Statements, AMaximumIsToldFromScatter) {
-  EXPECT_EQ(of_curve(0.65, 0.70, 0.66, 0.001), Finding::reproduced);
-  EXPECT_EQ(of_curve(0.65, 0.70, 0.66, 0.05), Finding::not_reachable);
-  EXPECT_EQ(of_curve(0.65, 0.66, 0.70, 0.001), Finding::not_reproduced);
+  EXPECT_EQ(of_curve(0.65, 0.70, 0.66, 0.001), Agreement::reproduced);
+  EXPECT_EQ(of_curve(0.65, 0.70, 0.66, 0.05), Agreement::not_reachable);
+  EXPECT_EQ(of_curve(0.65, 0.66, 0.70, 0.001), Agreement::not_reproduced);
 }
 
 TEST(Studies, TheModelOfTwoSamplesThatDifferStaysPossible) {
@@ -157,7 +157,7 @@ TEST(Studies, TheModelOfTwoSamplesThatDifferStaysPossible) {
   EXPECT_LT(model->phi(0).low, 0.06);
   EXPECT_GT(model->phi(0).high, 0.99);
   EXPECT_LT(model->phi(0).high, 1);
-  EXPECT_EQ(about(statements_of(study), "equal spheres, μ = 0.3").finding, Finding::not_reachable);
+  EXPECT_EQ(about(statements_of(study), "equal spheres, μ = 0.3").agreement, Agreement::not_reachable);
 }
 
 TEST(Report, ShowsEachStatementAndFigure) {
