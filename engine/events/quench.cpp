@@ -23,16 +23,18 @@ double motion(Observation& now) {
 bool Quench::due(Observation& now) {
   constexpr double nearly = 100;  // times the limits; the stress, which the cell follows at once, 10 times
   constexpr std::int64_t patience = 50, often = 20;
+  constexpr double past_its_peak = 0.9;
   const RestReport& r = watch_.look(now);
   const RestCriteria& c = watch_.criteria();
   const bool slow =
       r.backbone > 0 && r.stress_error < 10 * c.stress_error && r.kinetic_energy < nearly * c.kinetic_energy;
-  slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
+  const bool window_ends = now.step() % watch_.window_length() == 0;
+  if (window_ends) slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
   const bool near =
       r.force_imbalance < nearly * c.force_imbalance && r.strain_drift < nearly * c.strain_drift;
   const double moving = motion(now);
   peak_ = std::max(peak_, moving);
-  const bool timely = count_ < often || moving < peak_ / 2;
+  const bool timely = count_ < often ? window_ends : moving < past_its_peak * peak_;
   return timely && slow && (near || slow_windows_ > patience);
 }
 

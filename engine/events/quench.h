@@ -14,12 +14,12 @@ namespace furnas {
 /// no force, only the time until they balance; docs/decisions.md has the measurement.
 ///
 /// At first it acts at each end of a window. Where that does not bring rest, something slow is on its way
-/// that each quench holds up; from then on it waits until the motion has passed its peak.
+/// that each quench holds up; from then on it acts at the look at which the motion has passed its peak.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}
   const char* name() const override { return "quench"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.window_length()); }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
