@@ -34,7 +34,7 @@ void add_packing_source(CLI::App& app, std::string& name) {
 fs::path folder_about(const std::string& folder_or_file, const std::string& wanted) {
   const fs::path source = folder_or_file;
   const fs::path own = fs::is_directory(source) ? source : source.parent_path();
-  const fs::path folder = !wanted.empty() ? fs::path(wanted) : own.empty() ? fs::path(".") : own;
+  fs::path folder = !wanted.empty() ? fs::path(wanted) : own.empty() ? fs::path(".") : own;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError("--out " + folder.string() + ": the folder cannot be made: " + error.message());

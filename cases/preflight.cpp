@@ -138,7 +138,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       duration_text(seconds(2e5)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
       threads, threads == 1 ? "" : "s");
 
-  const double windows = static_cast<double>(c.compaction.pressure.size());
+  const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&
       windows * static_cast<double>(c.stop.window) > static_cast<double>(c.stop.steps))
     out.report += fmt::format("verdict   none: {} window{} of {} steps do not fit into the cap of {} steps\n",

@@ -77,21 +77,21 @@ void History::add(const Measures& m) {
 }
 
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
-                                              const std::vector<std::string>& columns) {
+                                              const std::vector<std::string>& wanted) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
   std::vector<std::string> cells;
   boost::split(cells, line, boost::is_any_of(","));
   std::vector<std::size_t> places;
-  for (const std::string& column : columns) {
+  for (const std::string& column : wanted) {
     const auto found = std::find(cells.begin(), cells.end(), column);
     if (found == cells.end())
       throw InputError(fmt::format("{}: there is no column {}", path.string(), column));
     places.push_back(static_cast<std::size_t>(found - cells.begin()));
   }
   const std::size_t width = cells.size();
-  std::vector<std::vector<double>> values(columns.size());
+  std::vector<std::vector<double>> values(wanted.size());
   while (std::getline(file, line)) {
     boost::split(cells, line, boost::is_any_of(","));
     if (cells.size() != width) throw InputError(path.string() + ": a row is not complete");

@@ -32,6 +32,6 @@ std::string history_columns();
 
 /// The values of these columns of a history, row by row. Throws InputError.
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
-                                              const std::vector<std::string>& columns);
+                                              const std::vector<std::string>& wanted);
 
 }  // namespace furnas

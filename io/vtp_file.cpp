@@ -119,11 +119,11 @@ void VtpFile::read_tag(std::string_view kind, const Attributes& given) {
 
 void VtpFile::file_tag(const Attributes& given) {
   const std::string header = text(given, "header_type", "UInt32"), compressor = text(given, "compressor", "");
-  if (text(given, "type", "") != "PolyData") fail("expected <VTKFile type=\"PolyData\">");
-  if (text(given, "byte_order", "") != "LittleEndian") fail("expected byte_order=\"LittleEndian\"");
-  if (header != "UInt32" && header != "UInt64") fail("expected header_type=\"UInt32\" or \"UInt64\"");
+  if (text(given, "type", "") != "PolyData") fail(R"(expected <VTKFile type="PolyData">)");
+  if (text(given, "byte_order", "") != "LittleEndian") fail(R"(expected byte_order="LittleEndian")");
+  if (header != "UInt32" && header != "UInt64") fail(R"(expected header_type="UInt32" or "UInt64")");
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    fail("expected compressor=\"vtkZLibDataCompressor\" or none");
+    fail(R"(expected compressor="vtkZLibDataCompressor" or none)");
   size_bytes_ = header == "UInt64" ? 8 : 4;
   compressed_ = !compressor.empty();
 }

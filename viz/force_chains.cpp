@@ -91,7 +91,7 @@ vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest)
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("colour");
 
-  const auto actor = vtkSmartPointer<vtkActor>::New();
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.45);
   actor->GetProperty()->SetDiffuse(0.65);

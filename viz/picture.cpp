@@ -55,7 +55,9 @@ class Average {
 
   void add(const vtkUnsignedCharArray& pixels) {
     for (std::size_t k = 0; k < sums_.size(); k += 4) {
-      const auto at = [&](std::size_t c) { return pixels.GetValue(static_cast<vtkIdType>(k + c)); };
+      const auto at = [&](std::size_t c) {
+        return pixels.GetValue(static_cast<vtkIdType>(k) + static_cast<vtkIdType>(c));
+      };
       if (at(3) == 0) continue;
       for (std::size_t c = 0; c < 4; ++c) sums_[k + c] = static_cast<std::uint16_t>(sums_[k + c] + at(c));
     }

@@ -101,6 +101,7 @@ std::vector<PairForce> exact_forces(const Packing& p, const FreshLaw& law) {
 
 std::vector<PairForce> forces_of(const std::vector<Contact>& contacts) {
   std::vector<PairForce> forces;
+  forces.reserve(contacts.size());
   for (const Contact& c : contacts)
     forces.push_back(seen_from_later({c.i, c.j, wide(c.branch), wide(c.force)}));
   sort_by_pair(forces);

@@ -43,6 +43,7 @@ const std::map<std::string, Colouring> colourings{{"species", Colouring::species
 template <class Value>
 std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const auto& [name, value] : table) names.push_back(name);
   return names;
 }

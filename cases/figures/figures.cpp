@@ -174,7 +174,8 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
       model_points(study, "model", LineStyle::solid, [](const FurnasInterval& m) { return m.f_max(); }));
   const auto ratios = study.size_ratios();
   for (std::size_t n = 0; n < ratios.size(); ++n) {
-    Series of_phi = measured(fmt::format("α = {}", ratios[n]), n), of_f = of_phi;
+    Series of_phi = measured(fmt::format("α = {}", ratios[n]), n);
+    Series of_f = of_phi;
     for (const double mu : study.frictions()) {
       const Curve* curve = study.curve(ratios[n], mu);
       const auto m = curve ? maximum_of(*curve) : std::nullopt;

@@ -44,10 +44,11 @@ Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::stri
     const auto m = maximum_of(curve);
     if (!m) continue;
     std::vector<std::string> cells;
+    cells.reserve(names.size());
     for (const std::size_t k : columns) cells.push_back(curve.points.front().values[k]);
     cells.push_back(std::to_string(curve.points.size()));
     for (const double f : {m->f_max, m->f_max_low, m->f_max_high}) cells.push_back(fmt::format("{:.4f}", f));
-    cells.push_back(m->f_max_high - m->f_max_low <= 2 * wanted_f_max ? "yes" : "no");
+    cells.emplace_back(m->f_max_high - m->f_max_low <= 2 * wanted_f_max ? "yes" : "no");
     cells.push_back(fmt::format("{:.5f}", m->phi_max.mean));
     cells.push_back(m->phi_max.samples > 1 ? fmt::format("{:.5f}", m->phi_max.half_width) : "");
     cells.push_back(std::to_string(m->phi_max.samples));

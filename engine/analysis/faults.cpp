@@ -113,12 +113,12 @@ double stiffest_step(const Packing& p, const Model& model) {
 }
 
 std::string fault_of(const Packing& p, const Model& model) {
-  if (const std::string fault = not_finite(p); !fault.empty()) return fault;
+  if (std::string fault = not_finite(p); !fault.empty()) return fault;
   const double phi = p.fraction_filled();
   if (phi > 1)
     return "the spheres fill " + std::to_string(phi) + " of the cell" + at(p) +
            "; the pressure is too high for their stiffness";
-  if (const std::string fault = run_through(p); !fault.empty()) return fault;
+  if (std::string fault = run_through(p); !fault.empty()) return fault;
   constexpr double limit = 2;
   if (const double step = stiffest_step(p, model); step > limit)
     return "the time step is too long for the contacts" + at(p) +
@@ -138,7 +138,7 @@ std::string audit_contacts(const Packing& p, std::size_t sample, std::uint64_t k
 
   for (const auto& [i, contacts] : listed) {
     const std::vector<Touching> all = touching(p, i);
-    const auto sentence = [&](const Touching& t, const char* what) {
+    const auto sentence = [&, i = i](const Touching& t, const char* what) {
       return "the neighbour list " + std::string(what) + " particles " + name(i) + " and " + name(t.partner) +
              " (overlap " + std::to_string(t.overlap) + " d_s)" + at(p) + "; this is an error of the program";
     };

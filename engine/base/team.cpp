@@ -1,6 +1,7 @@
 #include "engine/base/team.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -42,7 +43,8 @@ void Team::share_out(std::size_t pieces) {
     const bool last = m + 1 == members_;
     range.next.store(begin, std::memory_order_relaxed);
     range.end =
-        last ? pieces : std::min(pieces, static_cast<std::size_t>(sum * static_cast<double>(pieces) + 0.5));
+        last ? pieces
+             : std::min(pieces, static_cast<std::size_t>(std::lround(sum * static_cast<double>(pieces))));
     range.done = 0;
     begin = range.end;
   }

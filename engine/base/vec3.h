@@ -18,7 +18,7 @@ struct Vec3 {
   friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
   friend constexpr Vec3 operator*(const Vec3& a, R s) { return {a.x * s, a.y * s, a.z * s}; }
   friend constexpr Vec3 operator*(R s, const Vec3& a) { return a * s; }
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
 template <class R>

@@ -86,7 +86,7 @@ std::vector<Overlap> find_overlaps(const Packing& p) {
       const int own = octave(p.radius[i]);
       if (own < size) continue;  // the smaller one is looked for by the larger one
       const Vec3<double> s = in_unit_cell(p.fraction[i]);
-      grid.around(s, p.radius[i], [&](std::uint32_t j, const Cells& cells) {
+      grid.around(s, p.radius[i], [&, size = size](std::uint32_t j, const Cells& cells) {
         if (own == size && (j > i || (j == i && cells <= Cells{}))) return;
         // The integers carry the nearest difference exactly; the image is that plus whole cells.
         const Vec3<double> t = in_unit_cell(p.fraction[j]);

@@ -111,9 +111,11 @@ class Gathered {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < count_; ++n) {
       const Vec3<double> branch = edges * (s - room_[n].fraction);
-      const bool near = (room_[n].index < i) & (dot(branch, branch) < reach * reach);
+      // Both are asked, so that nothing branches.
+      const int near =
+          static_cast<int>(room_[n].index < i) & static_cast<int>(dot(branch, branch) < reach * reach);
       room_[kept] = room_[n];
-      kept += near ? 1 : 0;
+      kept += static_cast<std::size_t>(near);
     }
     count_ = kept;
   }

@@ -28,7 +28,7 @@ std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& i
 template <class Real>
 void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
                   const std::vector<Fraction>& positions, bool friction) {
-  const Memory<Real> before = std::move(memory);
+  const Memory<Real> before = std::exchange(memory, {});
   memory.clear(fresh.rows(), friction);
   for_chunks(old.first.empty() ? 0 : positions.size(), 1024,
              [&](std::size_t begin, std::size_t end, std::size_t) {

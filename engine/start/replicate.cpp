@@ -79,7 +79,8 @@ class Replica {
 
  private:
   std::size_t copy_at(const Times& cell) const {
-    return static_cast<std::size_t>((cell[2] * times_[1] + cell[1]) * times_[0] + cell[0]);
+    const auto at = [](std::int32_t n) { return static_cast<std::size_t>(n); };
+    return (at(cell[2]) * at(times_[1]) + at(cell[1])) * at(times_[0]) + at(cell[0]);
   }
   template <class Visit>
   void for_each_cell(Visit&& visit) const {
@@ -157,7 +158,7 @@ class Replica {
 }  // namespace
 
 Packing replicate(const Packing& packing, const Times& times) {
-  double particles = static_cast<double>(packing.size());
+  auto particles = static_cast<double>(packing.size());
   for (const std::int32_t n : times) {
     if (n < 1) throw InputError("times = " + std::to_string(n) + " along an edge: allowed: 1 or more");
     particles *= n;
