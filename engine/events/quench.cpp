@@ -23,7 +23,7 @@ double motion(Observation& now) {
 bool Quench::due(Observation& now) {
   constexpr double nearly = 100;  // times the limits; the stress, which the cell follows at once, 10 times
   constexpr std::int64_t patience = 50, often = 20;
-  constexpr double past_its_peak = 0.9;
+  constexpr double of_its_peak = 0.5;
   const RestReport& r = watch_.look(now);
   const RestCriteria& c = watch_.criteria();
   const bool slow =
@@ -34,7 +34,7 @@ bool Quench::due(Observation& now) {
       r.force_imbalance < nearly * c.force_imbalance && r.strain_drift < nearly * c.strain_drift;
   const double moving = motion(now);
   peak_ = std::max(peak_, moving);
-  const bool timely = count_ < often ? window_ends : moving < past_its_peak * peak_;
+  const bool timely = count_ < often ? window_ends : moving < of_its_peak * peak_;
   return timely && slow && (near || slow_windows_ > patience);
 }
 
