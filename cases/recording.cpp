@@ -84,7 +84,7 @@ std::optional<Verdict> RecordFrame::fire(Observation& now) {
 Checkpoints::Checkpoints(std::filesystem::path folder, const std::string& file, double seconds)
     : folder_(std::move(folder)), second_(file == checkpoint_names[0]), longest_(seconds) {}
 
-void Checkpoints::write(const Checkpoint& checkpoint) {
+void Checkpoints::write(const CheckpointView& checkpoint) {
   const auto begin = std::chrono::steady_clock::now();
   write_checkpoint(checkpoint, folder_ / checkpoint_names[second_]);
   second_ = !second_;
@@ -117,10 +117,9 @@ Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder)
                        : newest.fault);
 }
 
-SaveCheckpoint::SaveCheckpoint(Checkpoints& checkpoints, std::function<Checkpoint()> whole, double minutes,
-                               std::atomic<bool>& asked, std::atomic<bool>& attention)
-    : checkpoints_(checkpoints),
-      whole_(std::move(whole)),
+SaveCheckpoint::SaveCheckpoint(std::function<void()> save, double minutes, std::atomic<bool>& asked,
+                               std::atomic<bool>& attention)
+    : save_(std::move(save)),
       period_(std::chrono::duration_cast<Clock::duration>(
           std::chrono::duration<double, std::ratio<60>>(minutes))),
       asked_(asked),
@@ -134,7 +133,7 @@ std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
   if (std::string fault = fault_of(now.packing(), now.simulation().model()); !fault.empty())
     return now.diverged(std::move(fault));
-  checkpoints_.write(whole_());
+  save_();
   last_ = Clock::now();
   alarm_.set(last_ + period_);
   return {};

@@ -72,7 +72,7 @@ class Checkpoints {
 
   /// Writes over the older one; throws NumericalFailure for a packing that is none, which must not take the
   /// place of a good one.
-  void write(const Checkpoint& checkpoint);
+  void write(const CheckpointView& checkpoint);
 
   /// The longest that a checkpoint has taken; before the first, what reading one took.
   std::chrono::duration<double> longest() const { return longest_; }
@@ -98,10 +98,10 @@ class SaveCheckpoint final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `whole` gives everything that the run needs to go on; `asked` is set from outside, `attention` by the
+  /// `save` writes everything that the run needs to go on; `asked` is set from outside, `attention` by the
   /// event itself when a checkpoint is due.
-  SaveCheckpoint(Checkpoints& checkpoints, std::function<Checkpoint()> whole, double minutes,
-                 std::atomic<bool>& asked, std::atomic<bool>& attention);
+  SaveCheckpoint(std::function<void()> save, double minutes, std::atomic<bool>& asked,
+                 std::atomic<bool>& attention);
   const char* name() const override { return "checkpoint"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
   bool due(Observation& now) override;
@@ -109,8 +109,7 @@ class SaveCheckpoint final : public Event {
   std::optional<Verdict> fire(Observation& now) override;
 
  private:
-  Checkpoints& checkpoints_;
-  std::function<Checkpoint()> whole_;
+  std::function<void()> save_;
   Clock::duration period_;
   std::atomic<bool>& asked_;
   Clock::time_point last_ = Clock::now();

@@ -74,7 +74,7 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
 /// A run from where this process begins to the files of its folder.
 class Run {
  public:
-  Run(const RunOrder& order, Console console);
+  Run(RunOrder order, Console console);
   ExitCode go();
 
  private:
@@ -82,13 +82,13 @@ class Run {
   Outcome outcome();
   Outcome compact_on();
   Result result_of(const Outcome& outcome);
-  void write_files(const Outcome& outcome, const Result& result);
+  void write_files(const Packing& packing, const Outcome& outcome, const Result& result);
   /// All that the run needs to go on from here.
-  Checkpoint whole();
+  CheckpointView whole();
   std::int64_t lists_built() const;
   double wall_seconds() const;
 
-  const RunOrder& order_;
+  RunOrder order_;
   const std::filesystem::path folder_;
   const Case& case_;
   Console console_;
@@ -96,6 +96,7 @@ class Run {
   Requests requests_;
   SignalGuard guard_{requests_};
   std::unique_ptr<Simulation> simulation_;
+  const std::int64_t first_step_;  ///< where this process begins
   Observation now_;
   RestWatch watch_;
   std::vector<RestingState> reached_;
@@ -109,24 +110,26 @@ int threads_of(const RunOrder& order) {
   return asked ? *asked : threads_for(order.start.size());
 }
 
-Run::Run(const RunOrder& order, Console console)
-    : order_(order),
-      folder_(order.folder->path()),
-      case_(order.resolved_case),
+Run::Run(RunOrder order, Console console)
+    : order_(std::move(order)),
+      folder_(order_.folder->path()),
+      case_(order_.resolved_case),
       console_(console),
       case_text_(resolved_toml(case_)),
-      simulation_(make_simulation(model_of(case_, order.start), order.start, threads_of(order))),
-      now_(*simulation_, backbone_threshold_of(case_), order.past.replaced),
+      simulation_(make_simulation(model_of(case_, order_.start), order_.start, threads_of(order_))),
+      first_step_(order_.start.step),
+      now_(*simulation_, backbone_threshold_of(case_), order_.past.replaced),
       watch_(rest_criteria_of(case_)),
-      reached_(order.past.reached),
-      checkpoints_(folder_, order.checkpoint, order.checkpoint_seconds),
-      jammed_(order.past.jammed) {
-  watch_.recall(order.past.watch);
+      reached_(order_.past.reached),
+      checkpoints_(folder_, order_.checkpoint, order_.checkpoint_seconds),
+      jammed_(order_.past.jammed) {
+  order_.start = {};  // the simulation has its own; there is no room for both
+  watch_.recall(order_.past.watch);
   if (!reached_.empty()) simulation_->set_pressure(case_.compaction.pressure.at(reached_.size()));
   RunContext context{case_,
                      folder_,
-                     [this] { return whole(); },
-                     order.start.step,
+                     [this] { checkpoints_.write(whole()); },
+                     first_step_,
                      {},
                      console.err,
                      isatty(STDERR_FILENO) == 1,
@@ -134,7 +137,7 @@ Run::Run(const RunOrder& order, Console console)
                      watch_,
                      checkpoints_,
                      reached_};
-  if (order.walltime) context.deadline = order.begin + *order.walltime;
+  if (order_.walltime) context.deadline = order_.begin + *order_.walltime;
   events_ = schedule(context);
 }
 
@@ -159,7 +162,7 @@ double Run::wall_seconds() const {
   return order_.past.wall_seconds + std::chrono::duration<double>(Clock::now() - order_.begin).count();
 }
 
-Checkpoint Run::whole() {
+CheckpointView Run::whole() {
   Continuation c{reached_, watch_.memory(), {}, now_.replaced(), lists_built(), wall_seconds(), jammed_};
   for (const auto& event : events_)
     if (std::string memory = event->memory(); !memory.empty()) c.events[event->name()] = std::move(memory);
@@ -208,10 +211,10 @@ Result Run::result_of(const Outcome& outcome) {
   return result;
 }
 
-void Run::write_files(const Outcome& outcome, const Result& result) {
-  write_outputs({case_, now_.packing(), result}, folder_);
+void Run::write_files(const Packing& packing, const Outcome& outcome, const Result& result) {
+  write_outputs({case_, packing, result}, folder_);
   write_file(folder_ / "log.txt", summary(result, case_, folder_));
-  if (outcome.verdict != Verdict::diverged) draw(now_.packing(), case_, folder_, console_);
+  if (outcome.verdict != Verdict::diverged) draw(packing, case_, folder_, console_);
   const BuildInfo& build = build_info();
   write_manifest(folder_, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
 }
@@ -222,11 +225,13 @@ ExitCode Run::go() {
   const Outcome end = outcome();
   for (const auto& event : events_)
     if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
-  const bool moved = order_.checkpoint.empty() || now_.step() > order_.start.step;
+  const bool moved = order_.checkpoint.empty() || now_.step() > first_step_;
   jammed_ = end.verdict == Verdict::jammed;
   if (end.verdict != Verdict::diverged && moved) checkpoints_.write(whole());
   const Result result = result_of(end);
-  write_files(end, result);
+  const Packing packing = now_.take_packing();
+  simulation_.reset();  // what is written needs as much memory
+  write_files(packing, end, result);
   console_.out << summary(result, case_, folder_) << std::flush;
   return exit_code_of(end.verdict);
 }
@@ -295,6 +300,6 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   return text;
 }
 
-ExitCode run_case(const RunOrder& order, Console console) { return Run(order, console).go(); }
+ExitCode run_case(RunOrder order, Console console) { return Run(std::move(order), console).go(); }
 
 }  // namespace furnas

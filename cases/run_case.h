@@ -36,7 +36,7 @@ RunOrder order_to_run(const Case& c);
 RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes);
 
 /// Runs a case to its verdict, writes the folder of the run and prints what came out.
-ExitCode run_case(const RunOrder& order, Console console);
+ExitCode run_case(RunOrder order, Console console);
 
 /// The exit code that tells a verdict.
 ExitCode exit_code_of(Verdict verdict);

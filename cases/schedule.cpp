@@ -72,8 +72,8 @@ Events schedule(RunContext& run) {
   if (can_rest) add(std::make_unique<AtRest>(run.watch));
   if (can_rest && c.stop.criterion == "rest") add(std::make_unique<Quench>(run.watch));
   add(std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
-  add(std::make_unique<SaveCheckpoint>(run.checkpoints, run.whole, c.output.checkpoint_minutes,
-                                       run.requests.save, run.requests.attention));
+  add(std::make_unique<SaveCheckpoint>(run.save, c.output.checkpoint_minutes, run.requests.save,
+                                       run.requests.attention));
   add(std::make_unique<Budget>(c.stop.steps));
   if (run.deadline) add(std::make_unique<WallTime>(*run.deadline, run.checkpoints, run.requests.attention));
   add(std::make_unique<Interrupted>(run.requests.stop));

@@ -17,7 +17,7 @@ namespace furnas {
 struct RunContext {
   const Case& resolved_case;
   std::filesystem::path folder;
-  std::function<Checkpoint()> whole;                              ///< all that the run needs to go on
+  std::function<void()> save;                                     ///< writes all that the run needs to go on
   std::int64_t first_step{};                                      ///< where this process begins
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
   std::ostream& out;                                              ///< for progress

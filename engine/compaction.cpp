@@ -37,6 +37,11 @@ const Packing& Observation::packing() {
   return *packing_;
 }
 
+Packing Observation::take_packing() {
+  packing();
+  return *std::exchange(packing_, std::nullopt);
+}
+
 const Measures& Observation::measures() {
   refresh();
   if (!measures_) {

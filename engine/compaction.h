@@ -30,6 +30,8 @@ class Observation {
   std::int64_t step() const { return simulation_.step(); }
   const Packing& packing();
   const Measures& measures();
+  /// The packing, at the end of all observation.
+  Packing take_packing();
 
   /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
   void replace(const Packing& packing);

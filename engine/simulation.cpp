@@ -104,6 +104,11 @@ void SimulationOf<Scene>::take_particles(const Packing& p) {
   state_.ledger = p.ledger;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
   require(is_permutation(state_.id, count_), "the order names every particle once");
+  state_.particles.reserve(count_);
+  state_.loads.reserve(count_);
+  state_.mass.reserve(count_);
+  state_.species.reserve(count_);
+  state_.image.reserve(count_);
   for (std::uint32_t k : state_.id) {
     Particle<Real, spins> particle{};
     const auto narrow = [](const Vec3<double>& v) { return Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}; };
@@ -128,14 +133,16 @@ void SimulationOf<Scene>::take_particles(const Packing& p) {
 
 template <class Scene>
 void SimulationOf<Scene>::build_list(std::int64_t builds) {
-  std::vector<double> radii;
-  for (const auto& particle : state_.particles) radii.push_back(particle.radius);
-  state_.pairs.classes = size_classes(radii);
+  {
+    std::vector<double> radii(count_);
+    for (std::size_t n = 0; n < count_; ++n) radii[n] = state_.particles[n].radius;
+    state_.pairs.classes = size_classes(radii);
+  }
   work_.wear.travelled.assign(state_.pairs.classes.size(), 0);
   bin_particles<Scene>(model_.skin, state_.step, state_.cell, work_.wear, state_.pairs, state_.particles,
                        work_.draft);
   search_pairs(state_.cell, work_.draft);
-  state_.memory.clear(0, spins);
+  state_.memory.clear(0, 0, spins);
   adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.memory, state_.image,
                     work_.wear);
   state_.pairs.builds = builds + 1;
@@ -146,8 +153,8 @@ void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
                         state_.rows, state_.memory, state_.stress.contacts, work_.work);
-  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.loads,
-                         state_.particles, state_.stress.motion);
+  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.memory,
+                         state_.loads, state_.particles, state_.stress.motion);
   state_.ledger = {};
   state_.ledger.initial = energy(packing(), model_.law).total();
 }
@@ -175,8 +182,8 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
              image_of_row(list, k, state_.particles[i].position, state_.particles[j].position) == image))
       ++k;
     require(k < list.first[i + 1], "every contact is in the list");
-    state_.rows.row[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
-    state_.memory.touching[k] = 1;
+    state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
+    state_.memory.touch(k, i, j);
     if constexpr (spins)
       state_.memory.springs[k].history = {Real(sign * c.history.x), Real(sign * c.history.y),
                                           Real(sign * c.history.z)};
@@ -187,6 +194,8 @@ template <class Scene>
 std::vector<Contact> SimulationOf<Scene>::contacts() const {
   const PairList& list = state_.pairs;
   std::vector<Contact> contacts;
+  const auto& touching = state_.memory.touching;
+  contacts.reserve(static_cast<std::size_t>(std::count(touching.begin(), touching.end(), 1)));
   for (std::uint32_t i = 0; i < count_; ++i) {
     const auto& p = state_.particles[i];
     for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {
@@ -205,7 +214,7 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
       c.image = image_of_row(list, k, p.position, q.position);
       c.branch = branch;
       c.overlap = reach - std::sqrt(square);
-      c.force = wide(state_.rows.row[k].force);
+      c.force = wide(state_.rows[k].force);
       if constexpr (spins) {
         c.history = wide(state_.memory.springs[k].history);
         const double friction = std::get<typename Scene::Law>(model_.law).constants.friction;

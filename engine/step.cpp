@@ -21,15 +21,15 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
-  step.phase("watch the wear",              watch_wear,           w.longest_way, s.cell, s.pairs, w.wear);
-  step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, s.cell, s.pairs, s.particles, w.wear);
+  step.phase("watch the wear",              watch_wear,           s.step, w.longest_way, s.cell, s.pairs, w.wear);
+  step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, model.skin, s.step, s.cell, s.pairs, s.particles, w.wear);
   step.phase_when(w.wear.worn, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.wear, s.pairs, s.particles, w.draft);
   step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
   step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.memory, s.image, w.wear);
 
   step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.memory, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
-  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.loads, s.particles, s.stress.motion);
+  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.memory, s.loads, s.particles, s.stress.motion);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   // clang-format on

@@ -182,7 +182,7 @@ bool is_checkpoint(const std::filesystem::path& path) {
   return head == checkpoint_magic;
 }
 
-void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path) {
+void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);
   exchange(saver, checkpoint);
 }

@@ -9,11 +9,20 @@
 
 namespace furnas {
 
+/// What is written of a checkpoint; the packing stays where it is, for it may be large.
+struct CheckpointView {
+  const Packing& packing;
+  std::string case_text;                      ///< as in Checkpoint
+  std::map<std::string, std::string> extras;  ///< as in Checkpoint
+};
+
 /// All that a run needs to go on exactly.
 struct Checkpoint {
   Packing packing;
   std::string case_text;                      ///< the resolved case file
   std::map<std::string, std::string> extras;  ///< whatever else the parts of a run must remember
+
+  operator CheckpointView() const { return {packing, case_text, extras}; }  ///< lives no longer than this
 };
 
 /// The first bytes of every checkpoint.
@@ -23,7 +32,7 @@ inline constexpr std::string_view checkpoint_magic = "FURNASCP";
 bool is_checkpoint(const std::filesystem::path& path);
 
 /// Writes a checkpoint, complete or not at all; every bit of the packing is kept. Throws OutputError.
-void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& path);
+void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path);
 
 /// Reads a checkpoint; throws InputError that names the file and the section if it is damaged in any bit, or
 /// if what it holds is no packing.

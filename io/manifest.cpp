@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "engine/base/hasher.h"
 #include "io/atomic_file.h"
@@ -41,10 +41,14 @@ void write_manifest(const fs::path& folder, const std::string& program) {
   each_file(folder, [&](const fs::path& path) {
     if (path.filename() == name || path.extension() == ".lock") return;
     std::ifstream in(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::vector<char> block(std::size_t{1} << 20);  // not all at once: it may be larger than the memory
+    std::uint64_t bytes = 0;
     Hasher hasher;
-    hasher.add_bytes(bytes.data(), bytes.size());
-    files[path.lexically_relative(folder).string()] = {{"bytes", bytes.size()},
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
+      hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
+      bytes += static_cast<std::uint64_t>(in.gcount());
+    }
+    files[path.lexically_relative(folder).string()] = {{"bytes", bytes},
                                                        {"xxh3", fmt::format("{:016x}", hasher.value())}};
   });
   write_file(folder / name, nlohmann::ordered_json{{"program", program}, {"files", files}}.dump(2) + "\n");

@@ -11,7 +11,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "io/atomic_file.h"
@@ -70,59 +69,50 @@ class Messages {
   vtkSmartPointer<MessageWindow> window_ = vtkSmartPointer<MessageWindow>::New();
 };
 
-vtkSmartPointer<vtkDoubleArray> view_numbers(const double* numbers, std::size_t tuples, int components) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  constexpr int caller_keeps_it = 1;
-  array->SetArray(const_cast<double*>(numbers), static_cast<vtkIdType>(tuples) * components, caller_keeps_it);
-  return array;
-}
-
-const double* numbers_of(const std::vector<Vec3<double>>& values) {
-  return values.empty() ? nullptr : &values.front().x;
-}
-
 template <class Array, class T>
-vtkSmartPointer<vtkDataArray> copy_numbers(const char* name, const std::vector<T>& values, int components) {
+vtkSmartPointer<Array> view_numbers(const char* name, const T* numbers, std::size_t count, int components) {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  constexpr int caller_keeps_it = 1;
+  array->SetArray(const_cast<T*>(numbers), static_cast<vtkIdType>(count), caller_keeps_it);
   return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> view_vectors(const char* name, const std::vector<Vec3<double>>& values) {
+  const double* const numbers = values.empty() ? nullptr : &values.front().x;
+  return view_numbers<vtkDoubleArray>(name, numbers, 3 * values.size(), 3);
 }
 
 }  // namespace
 
 vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<double>& values) {
-  auto array = view_numbers(values.data(), values.size(), 1);
-  array->SetName(name);
-  return array;
+  return view_numbers<vtkDoubleArray>(name, values.data(), values.size(), 1);
 }
 
 vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<Vec3<double>>& values) {
-  auto array = view_numbers(numbers_of(values), values.size(), 3);
-  array->SetName(name);
-  return array;
+  return view_vectors(name, values);
+}
+
+vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<std::uint8_t>& values) {
+  return view_numbers<vtkUnsignedCharArray>(name, values.data(), values.size(), 1);
+}
+
+vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<std::int32_t>& values,
+                                   int components) {
+  return view_numbers<vtkTypeInt32Array>(name, values.data(), values.size(), components);
+}
+
+vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<std::int64_t>& values) {
+  // A type of its own in VTK: long long where int64_t is long, of the same size.
+  return view_numbers<vtkTypeInt64Array>(
+      name, reinterpret_cast<const vtkTypeInt64*>(values.data()), values.size(), 1);
 }
 
 vtkSmartPointer<vtkPoints> view(const std::vector<Vec3<double>>& points) {
   auto result = vtkSmartPointer<vtkPoints>::New();
-  result->SetData(view_numbers(numbers_of(points), points.size(), 3));
+  result->SetData(view_vectors(nullptr, points));
   return result;
-}
-
-vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::uint8_t>& values) {
-  return copy_numbers<vtkUnsignedCharArray>(name, values, 1);
-}
-
-vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::int32_t>& values,
-                                   int components) {
-  return copy_numbers<vtkTypeInt32Array>(name, values, components);
-}
-
-vtkSmartPointer<vtkDataArray> copy(const char* name, const std::vector<std::int64_t>& values) {
-  return copy_numbers<vtkTypeInt64Array>(name, values, 1);
 }
 
 void write_poly_data(vtkPolyData* data, const std::filesystem::path& path) {

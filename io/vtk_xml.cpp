@@ -64,6 +64,9 @@ void write_vtp(const Packing& packing, const std::filesystem::path& path) {
     for (std::size_t a = 0; a < 3; ++a) image[3 * k + a] = packing.image[k][a];
   }
   const auto points = positions(packing);
+  const auto id = ids(n);
+  const auto contacts = coordination(packing);
+  const std::vector<std::int64_t> step{packing.step};
   const auto cell = matrix(packing.cell.edges), rate = matrix(packing.cell.rate);
   const std::vector<double> time{packing.time};
 
@@ -71,20 +74,20 @@ void write_vtp(const Packing& packing, const std::filesystem::path& path) {
   data->SetPoints(view(points));
   data->SetVerts(consecutive_cells(n, 1));
   vtkPointData* arrays = data->GetPointData();
-  arrays->AddArray(copy("id", ids(n)));
-  arrays->AddArray(copy("species", species));
+  arrays->AddArray(view("id", id));
+  arrays->AddArray(view("species", species));
   arrays->AddArray(view("radius", packing.radius));
   arrays->AddArray(view("mass", packing.mass));
-  arrays->AddArray(copy("image", image, 3));
+  arrays->AddArray(view("image", image, 3));
   arrays->AddArray(view("velocity", packing.velocity));
   arrays->AddArray(view("spin", packing.spin));
   arrays->AddArray(view("force", packing.force));
   arrays->AddArray(view("torque", packing.torque));
-  arrays->AddArray(copy("coordination", coordination(packing)));
+  arrays->AddArray(view("coordination", contacts));
   data->GetFieldData()->AddArray(field("cell", cell));
   data->GetFieldData()->AddArray(field("rate", rate));
   data->GetFieldData()->AddArray(field("TimeValue", time));
-  data->GetFieldData()->AddArray(copy("step", std::vector<std::int64_t>{packing.step}));
+  data->GetFieldData()->AddArray(view("step", step));
   write_poly_data(data, path);
 }
 
@@ -112,13 +115,13 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
   data->SetPoints(view(points));
   data->SetLines(consecutive_cells(n, 2));
   vtkCellData* arrays = data->GetCellData();
-  arrays->AddArray(copy("i", i));
-  arrays->AddArray(copy("j", j));
+  arrays->AddArray(view("i", i));
+  arrays->AddArray(view("j", j));
   arrays->AddArray(view("force", force));
   arrays->AddArray(view("normal_force", normal));
   arrays->AddArray(view("tangential_force", tangential));
   arrays->AddArray(view("overlap", overlap));
-  arrays->AddArray(copy("sliding", sliding));
+  arrays->AddArray(view("sliding", sliding));
   write_poly_data(data, path);
 }
 

@@ -18,7 +18,7 @@ struct PeersOrder {
   std::int64_t steps = 2000;                        ///< of each run
   int pairs = 5;                                    ///< runs of each program, in turn
   int ranks = 1;                                    ///< of LAMMPS, and threads of furnas
-  std::vector<double> skins{0.02, 0.05, 0.1, 0.2};  ///< that LAMMPS tries [d_s]
+  std::vector<double> skins{0.005, 0.01, 0.02, 0.05, 0.1};  ///< that LAMMPS tries [d_s]
 };
 
 /// How far the forces of LAMMPS are from ours at the start, over the sum of the sizes of a particle's contact

@@ -58,7 +58,7 @@ ExitCode make(double ratio, const PrepareOrder& order, Console console) {
     run.folder = std::make_unique<RunFolder>(RunFolder::create(folder.string(), {}));
   }
   if (!order.walltime.empty()) run.walltime = parse_duration(order.walltime);
-  return run_case(run, console);
+  return run_case(std::move(run), console);
 }
 
 void write_repeated(double ratio, const PrepareOrder& order, Console console) {

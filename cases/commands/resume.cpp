@@ -34,7 +34,7 @@ Command resume_command() {
     if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
     RunOrder order = order_to_resume(options->folder, set);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
-    return run_case(order, console);
+    return run_case(std::move(order), console);
   };
   return command;
 }

@@ -55,7 +55,7 @@ Command run_command() {
     RunOrder order = order_to_run(c);
     order.walltime = walltime;
     order.folder = std::make_unique<RunFolder>(RunFolder::create(options->out, options->file));
-    return run_case(order, console);
+    return run_case(std::move(order), console);
   };
   return command;
 }

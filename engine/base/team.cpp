@@ -89,17 +89,17 @@ void Team::run(std::size_t pieces, void (*call)(void*, std::size_t), void* body)
   call_ = call;
   body_ = body;
   share_out(pieces);
-  left_ = pieces;
+  helped_ = 0;
   ++job_;
   work(0);
-  wait_until([&] { return left_ == 0; });
+  wait_until([&] { return ranges_[0].done + helped_ == pieces; });
   close();
   learn(pieces);
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void Team::work(int member) {
-  std::size_t& done = ranges_[static_cast<std::size_t>(member)].done;
+  std::size_t done = 0;
   for (int n = 0; n < members_; ++n) {
     Range& range = ranges_[static_cast<std::size_t>((member + n) % members_)];
     while (true) {
@@ -112,9 +112,11 @@ void Team::work(int member) {
         if (!failure_) failure_ = std::current_exception();
       }
       ++done;
-      left_.fetch_sub(1, std::memory_order_acq_rel);
     }
   }
+  // Once for all of them: a line that both write costs as much as a piece of work.
+  ranges_[static_cast<std::size_t>(member)].done = done;
+  if (member != 0 && done != 0) helped_.fetch_add(done, std::memory_order_acq_rel);
 }
 
 void Team::dismiss() {

@@ -51,8 +51,8 @@ class Team {
   std::mutex failing_;
   alignas(64) std::atomic<std::uint64_t> job_{1};  ///< its number; odd while there is none to be had
   std::atomic<bool> dismissed_{false};
-  alignas(64) std::atomic<int> busy_{0};  ///< helpers that look at the job
-  alignas(64) std::atomic<std::size_t> left_{0};
+  alignas(64) std::atomic<int> busy_{0};            ///< helpers that look at the job
+  alignas(64) std::atomic<std::size_t> helped_{0};  ///< pieces that helpers have done
 };
 
 }  // namespace furnas

@@ -97,10 +97,6 @@ class ContactKernel {
     touch.time_step = R(loop_.time_step);
     see(at, touch);
 
-    for (std::size_t l = 0; l < valid; ++l) {
-      loop_.touched[found_.i[at + l] / 8].store(1, std::memory_order_relaxed);
-      loop_.touched[found_.j[at + l] / 8].store(1, std::memory_order_relaxed);
-    }
     Spring<Real>* const springs = loop_.springs;
     const auto history_at = [springs](std::uint64_t row) { return &record<4>(springs, row).history.x; };
     Vec3<R> history{};
@@ -132,13 +128,13 @@ class ContactKernel {
     if (loop_.affine) touch.midway.velocity = touch.drift;
     touch.reduced_mass = R(1) / (v.i_last + v.j_last);
 
-    Real radius[2][lanes];
-    for (std::size_t l = 0; l < lanes; ++l) {
-      radius[0][l] = record<8>(loop_.particles, found_.i[at + l]).radius;
-      radius[1][l] = record<8>(loop_.particles, found_.j[at + l]).radius;
-    }
-    touch.radius_i = R::from(radius[0]);
-    touch.radius_j = R::from(radius[1]);
+    // With three numbers behind it, which nobody needs: put together one by one, lanes would wait for memory.
+    const auto radii = [&](const std::uint64_t* of) {
+      return load_groups<Real>([&](std::size_t l) { return &record<8>(loop_.particles, of[at + l]).radius; })
+          .a;
+    };
+    touch.radius_i = radii(found_.i);
+    touch.radius_j = radii(found_.j);
 
     Pair w;
     if constexpr (S::spins) {

@@ -77,11 +77,10 @@ class GatherKernel {
 
   /// Most particles of a gas, and of the rattlers of a packing, touch nothing.
   HWY_INLINE void sum_rows(std::size_t i) const {
-    if (loop_.touched[i].load(std::memory_order_relaxed) == 0) {
+    if (loop_.contacts[i].load(std::memory_order_relaxed) == 0) {
       loop_.loads[i] = {};
       return;
     }
-    loop_.touched[i].store(0, std::memory_order_relaxed);
     const auto arm_i = [](const RowOf& row) -> const Real* {
       if constexpr (S::spins)
         return &row.minus_arm_i;

@@ -30,7 +30,7 @@ struct ContactLoop {
   Row<Real, S::spins>* rows;
   Spring<Real>* springs;
   std::uint8_t* touching;
-  Touched* touched;
+  ContactCount* contacts;
 };
 
 /// What a piece of the contacts adds up.
@@ -74,7 +74,7 @@ struct GatherLoop {
   const std::uint32_t* incoming;        ///< as in PairList
   std::uint64_t rows_end;               ///< number of rows
   const Row<Real, S::spins>* rows;
-  Touched* touched;  ///< cleared
+  const ContactCount* contacts;
   Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };

@@ -170,7 +170,8 @@ class TouchingRows {
     return bits[0];
   }
 
-  /// Keeps the flags of the rows up to date and reports contacts that opened.
+  /// Keeps the flags of the rows and the counts of the particles up to date and reports contacts that opened.
+  /// Counts change when contacts do, not in each step: their cache lines stay with both cores.
   template <class Parted>
   void note_changes(std::uint64_t first, Parted& parted) {
     std::uint8_t* flags = loop_.touching + first;
@@ -184,10 +185,15 @@ class TouchingRows {
         for (std::size_t k = 0; k < here; ++k) reinterpret_cast<std::uint8_t*>(&before)[k] = flags[n + k];
       if (before == now) continue;
       for (std::size_t k = 0; k < here; ++k) {
-        const bool touches = ((bits_[n / lanes] >> k) & 1) != 0;
-        if (flags[n + k] != 0 && !touches)
-          parted(i_[n + k] / 8, loop_.partner[first + n + k], first + n + k, branch(n + k));
-        flags[n + k] = touches ? 1 : 0;
+        const std::uint8_t touches = (bits_[n / lanes] >> k) & 1;
+        if (flags[n + k] == touches) continue;
+        const std::uint64_t i = i_[n + k] / 8;
+        const std::uint32_t j = loop_.partner[first + n + k];
+        if (touches == 0) parted(i, j, first + n + k, branch(n + k));
+        const std::uint32_t more = touches != 0 ? 1 : ~std::uint32_t{0};
+        loop_.contacts[i].fetch_add(more, std::memory_order_relaxed);
+        loop_.contacts[j].fetch_add(more, std::memory_order_relaxed);
+        flags[n + k] = touches;
       }
     }
   }

@@ -28,10 +28,10 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                                 pairs.partner.data(),
                                 pairs.quarter.empty() ? nullptr : pairs.quarter.data(),
                                 pairs.rows(),
-                                rows.row.data(),
+                                rows.data(),
                                 memory.springs.data(),
                                 memory.touching.data(),
-                                rows.touched.data()};
+                                memory.contacts.data()};
   const auto kernel = kernels<Scene>().contacts;
   const auto sum = ordered_sum<ContactSum>(
       particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });

@@ -46,7 +46,8 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                     Rows<typename Scene::Real, Scene::spins>& rows,
+                     const Rows<typename Scene::Real, Scene::spins>& rows,
+                     const Memory<typename Scene::Real>& memory,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion) {
@@ -56,8 +57,8 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                                pairs.incoming_first.data(),
                                pairs.incoming.data(),
                                pairs.rows(),
-                               rows.row.data(),
-                               rows.touched.data(),
+                               rows.data(),
+                               memory.contacts.data(),
                                loads.data(),
                                particles.data()};
   const auto kernel = kernels<Scene>().gather;
@@ -66,13 +67,14 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                                     \
-  template void kick_and_drift<Scene<Law, Real>>(                                                         \
-      const Barostat&, const double&, const Cell&, const PairList&,                                       \
-      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&); \
-  template void gather_and_kick<Scene<Law, Real>>(                                                        \
-      const Barostat&, const double&, const Cell&, const PairList&, Rows<Real, Law::spins>&,              \
-      std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, Eigen::Matrix3d&);
+#define FURNAS_INSTANTIATE(Law, Real)                                                                      \
+  template void kick_and_drift<Scene<Law, Real>>(                                                          \
+      const Barostat&, const double&, const Cell&, const PairList&,                                        \
+      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&);  \
+  template void gather_and_kick<Scene<Law, Real>>(                                                         \
+      const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,         \
+      const Memory<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, \
+      Eigen::Matrix3d&);
 FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

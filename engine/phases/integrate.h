@@ -23,7 +23,8 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 /// With `time_step` 0 only the sums are taken.
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                     Rows<typename Scene::Real, Scene::spins>& rows,
+                     const Rows<typename Scene::Real, Scene::spins>& rows,
+                     const Memory<typename Scene::Real>& memory,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion);

@@ -9,13 +9,16 @@
 
 namespace furnas {
 
-void watch_wear(const LongestWay& longest_way, const Cell& cell, const PairList& pairs, Wear& wear) {
+void watch_wear(const std::int64_t& step, const LongestWay& longest_way, const Cell& cell,
+                const PairList& pairs, Wear& wear) {
   for (std::size_t c = 0; c < longest_way.size(); ++c) wear.travelled[c] += std::sqrt(longest_way[c]);
-  wear.suspect = !list_is_complete(pairs, wear.travelled, shrinkage_bound(cell.edges, pairs.edges));
+  wear.suspect = is_time_to_ask(pairs, step) ||
+                 !list_is_complete(pairs, wear.travelled, shrinkage_bound(cell.edges, pairs.edges));
 }
 
 template <class Scene>
-void measure_wear(const Cell& cell, const PairList& pairs,
+void measure_wear(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                  const PairList& pairs,
                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear) {
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
@@ -35,7 +38,9 @@ void measure_wear(const Cell& cell, const PairList& pairs,
         });
     wear.travelled[c] = std::sqrt(furthest.square);
   }
-  wear.worn = !list_is_complete(pairs, wear.travelled, shrinkage(cell.edges, pairs.edges));
+  const double shrunk = shrinkage(cell.edges, pairs.edges);
+  wear.worn = !list_is_complete(pairs, wear.travelled, shrunk) ||
+              is_too_wide(pairs, wear.travelled, shrunk, step, skin);
 }
 
 template <class Scene>
@@ -43,43 +48,46 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
                    const Wear& wear, const PairList& pairs,
                    const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                    ListDraft& draft) {
-  draft.positions.resize(particles.size());
+  std::vector<Fraction>& positions = draft.fresh.reference;
+  positions.resize(particles.size());
   draft.radii.resize(particles.size());
   for_chunks(particles.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      draft.positions[i] = particles[i].position;
+      positions[i] = particles[i].position;
       draft.radii[i] = particles[i].radius;
     }
   });
   draft.fresh.classes = pairs.classes;
   draft.fresh.skin =
       next_skin(pairs, wear.travelled, pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
-  draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, draft.positions);
+  draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, positions);
 }
 
 void search_pairs(const Cell& cell, ListDraft& draft) {
-  find_pairs(draft.grids, cell.edges, draft.positions, draft.radii, draft.fresh);
+  find_pairs(draft.grids, cell.edges, draft.radii, draft.fresh);
 }
 
 template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                 Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
                 std::vector<Image>& image, Wear& wear) {
+  const std::vector<Fraction>& positions = draft.fresh.reference;
   for_chunks(pairs.reference.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i)
-      image[i] = crossed(image[i], pairs.reference[i], draft.positions[i]);
+    for (std::size_t i = begin; i < end; ++i) image[i] = crossed(image[i], pairs.reference[i], positions[i]);
   });
-  merge_memory(pairs, memory, draft.fresh, draft.positions, Scene::spins);
+  merge_memory(pairs, memory, draft.fresh, positions, Scene::spins);
   draft.fresh.step = step;
   draft.fresh.builds = pairs.builds + 1;
-  std::swap(pairs, draft.fresh);
-  rows.clear(pairs.rows(), draft.positions.size());
+  pairs = std::move(draft.fresh);
+  draft = {};  // of many particles it takes much memory, of few no time
+  rows.assign(pairs.rows(), {});
   wear.travelled.assign(pairs.classes.size(), 0);
   wear.suspect = wear.worn = false;
 }
 
 #define FURNAS_INSTANTIATE(Law, Real)                                                                        \
-  template void measure_wear<Scene<Law, Real>>(const Cell&, const PairList&,                                 \
+  template void measure_wear<Scene<Law, Real>>(const std::optional<double>&, const std::int64_t&,            \
+                                               const Cell&, const PairList&,                                 \
                                                const std::vector<Particle<Real, Law::spins>>&, Wear&);       \
   template void bin_particles<Scene<Law, Real>>(const std::optional<double>&, const std::int64_t&,           \
                                                 const Cell&, const Wear&, const PairList&,                   \

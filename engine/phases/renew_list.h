@@ -10,20 +10,21 @@
 
 namespace furnas {
 
-/// What building a list needs besides the list: kept so that no step allocates it anew.
+/// What building a list needs.
 struct ListDraft {
-  std::vector<Fraction> positions;
   std::vector<double> radii;  ///< [d_s]
   std::vector<Grid> grids;
-  PairList fresh;
+  PairList fresh;  ///< its reference: the positions
 };
 
 /// Adds the longest ways of this step to the wear and says whether it must be measured.
-void watch_wear(const LongestWay& longest_way, const Cell& cell, const PairList& pairs, Wear& wear);
+void watch_wear(const std::int64_t& step, const LongestWay& longest_way, const Cell& cell,
+                const PairList& pairs, Wear& wear);
 
 /// Measures how far particles have really moved since the list was built.
 template <class Scene>
-void measure_wear(const Cell& cell, const PairList& pairs,
+void measure_wear(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                  const PairList& pairs,
                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear);
 
 /// Chooses the skin and sorts the particles into bins.

@@ -169,8 +169,7 @@ void find_smaller(const Grid& grid, const Triangle& edges, const Nearness& near,
 }
 
 /// Partners of larger classes, piece by piece of those.
-std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids,
-                                             const std::vector<Fraction>& positions, const Triangle& edges,
+std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids, const Triangle& edges,
                                              const Nearness& near, const PairList& list) {
   const std::size_t larger = list.classes.back().first;  // none is smaller than the last class
   constexpr std::size_t few = 4;                         // a large sphere may have thousands
@@ -181,7 +180,7 @@ std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids,
         if (list.classes[c].first <= j) continue;  // of its own class or larger
         const double sum = list.classes[c].largest_radius + near.radius(j);
         find_smaller(grids[c], edges, near, (1 + 2 * hair) * (sum + list.skin(sum)),
-                     static_cast<std::uint32_t>(j), in_unit_cell(positions[j]), pieces[piece]);
+                     static_cast<std::uint32_t>(j), in_unit_cell(list.reference[j]), pieces[piece]);
       }
   });
   return pieces;
@@ -193,8 +192,9 @@ struct Piece {
   std::vector<std::uint32_t> count;  ///< rows of each particle
 };
 
-std::vector<Piece> find_within(const std::vector<Grid>& grids, const std::vector<Fraction>& positions,
-                               const Triangle& edges, const Nearness& near, const PairList& list) {
+std::vector<Piece> find_within(const std::vector<Grid>& grids, const Triangle& edges, const Nearness& near,
+                               const PairList& list) {
+  const std::vector<Fraction>& positions = list.reference;
   const Vec3<double> height = heights(edges);
   std::vector<Piece> pieces((positions.size() + chunk - 1) / chunk);
   for_chunks(positions.size(), chunk, [&](std::size_t begin, std::size_t end, std::size_t number) {
@@ -230,32 +230,29 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
         list.first[i] + within[i / chunk].count[i % chunk] + larger[i].load(std::memory_order_relaxed);
   require(list.first[count] < std::numeric_limits<std::uint32_t>::max(), "rows of the list fit in 32 bits");
 
-  std::vector<Found> rows(list.first[count]);
-  for_chunks(within.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
-    const Found* from = within[piece].found.data();
-    for (std::size_t n = 0; n < within[piece].count.size(); ++n) {
-      const std::size_t i = piece * chunk + n;
-      const std::uint32_t own = within[piece].count[n];
-      std::copy(from, from + own, rows.data() + (list.first[i + 1] - own));
-      from += own;
-    }
-  });
+  list.partner.resize(list.first[count]);
+  list.quarter.resize(images ? list.first[count] : 0);
+  const auto put = [&](std::uint64_t row, const Found& found) {
+    list.partner[row] = found.partner();
+    if (images) list.quarter[row] = found.quarter();
+  };
   for_chunks(across.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
     for (const Across& a : across[piece])
-      rows[list.first[a.particle] + larger[a.particle].fetch_sub(1, std::memory_order_relaxed) - 1] = a.found;
+      put(list.first[a.particle] + larger[a.particle].fetch_sub(1, std::memory_order_relaxed) - 1, a.found);
   });
-  list.partner.resize(rows.size());
-  list.quarter.resize(images ? rows.size() : 0);
-  for_chunks(count, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint64_t own = within[i / chunk].count[i % chunk];
-      // Threads have put them there in any order.
-      std::sort(rows.begin() + static_cast<std::ptrdiff_t>(list.first[i]),
-                rows.begin() + static_cast<std::ptrdiff_t>(list.first[i + 1] - own));
-      for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {
-        list.partner[k] = rows[k].partner();
-        if (images) list.quarter[k] = rows[k].quarter();
-      }
+  for_chunks(within.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
+    const Found* from = within[piece].found.data();
+    std::vector<Found> larger_ones;
+    for (std::size_t n = 0; n < within[piece].count.size(); ++n) {
+      const std::size_t i = piece * chunk + n;
+      const std::uint64_t own = list.first[i + 1] - within[piece].count[n];
+      // Threads have put the partners of larger classes there in any order.
+      larger_ones.clear();
+      for (std::uint64_t row = list.first[i]; row < own; ++row)
+        larger_ones.emplace_back(list.partner[row], images ? list.quarter[row] : Quarter{});
+      std::sort(larger_ones.begin(), larger_ones.end());
+      for (std::size_t k = 0; k < larger_ones.size(); ++k) put(list.first[i] + k, larger_ones[k]);
+      for (std::uint64_t row = own; row < list.first[i + 1]; ++row) put(row, *from++);
     }
   });
 }
@@ -272,15 +269,12 @@ std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin&
   return grids;
 }
 
-void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<Fraction>& positions,
-                const std::vector<double>& radii, PairList& list) {
+void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<double>& radii,
+                PairList& list) {
   list.edges = edges;
-  list.reference = positions;
   const bool images = needs_images(list.classes, list.skin, edges);
   const Nearness near(edges, radii, list.skin, images);
-  const auto across = find_across(grids, positions, edges, near, list);
-  const auto within = find_within(grids, positions, edges, near, list);
-  lay_out_rows(across, within, images, list);
+  lay_out_rows(find_across(grids, edges, near, list), find_within(grids, edges, near, list), images, list);
   index_incoming(list);
 }
 

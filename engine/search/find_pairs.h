@@ -12,11 +12,11 @@ std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin&
                               const std::vector<Fraction>& positions);
 
 /// Lists every pair, each image of it apart, whose surfaces are closer than the skin: fills `first`,
-/// `partner`, `quarter` and the build record of `list` from its classes and skin. A sphere looks for equals
-/// in the bins around it; a larger one looks for smaller ones in the bins of their grid that its ball
-/// touches.
-void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<Fraction>& positions,
-                const std::vector<double>& radii, PairList& list);
+/// `partner`, `quarter` and `edges` of `list` from its classes, skin and reference positions. A sphere looks
+/// for equals in the bins around it; a larger one looks for smaller ones in the bins of their grid that its
+/// ball touches.
+void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<double>& radii,
+                PairList& list);
 
 /// Fills `incoming_first` and `incoming` from the rows.
 void index_incoming(PairList& list);

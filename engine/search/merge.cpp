@@ -29,7 +29,7 @@ template <class Real>
 void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
                   const std::vector<Fraction>& positions, bool friction) {
   const Memory<Real> before = std::exchange(memory, {});
-  memory.clear(fresh.rows(), friction);
+  memory.clear(fresh.rows(), positions.size(), friction);
   for_chunks(old.first.empty() ? 0 : positions.size(), 1024,
              [&](std::size_t begin, std::size_t end, std::size_t) {
                for (std::size_t i = begin; i < end; ++i) {
@@ -41,7 +41,7 @@ void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fre
                    while (k < fresh.first[i + 1] && fresh.partner[k] < j) ++k;
                    for (std::uint64_t n = k; n < fresh.first[i + 1] && fresh.partner[n] == j; ++n)
                      if (image_of_row(fresh, n, positions[i], positions[j]) == image) {
-                       memory.touching[n] = 1;
+                       memory.touch(n, static_cast<std::uint32_t>(i), j);
                        if (friction) memory.springs[n] = before.springs[o];
                      }
                  }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "engine/base/sphere.h"
@@ -48,6 +49,19 @@ double shrinkage(const Triangle& now, const Triangle& then) {
 double shrinkage_bound(const Triangle& now, const Triangle& then) {
   return strain_between(then,
                         now);  // sigma_min(F) >= 1 - |F - I|, and Frobenius' norm bounds the spectral one
+}
+
+bool is_time_to_ask(const PairList& list, std::int64_t step) {
+  const std::int64_t age = step - list.step;
+  constexpr std::int64_t first = 128;
+  return age >= first && std::has_single_bit(static_cast<std::uint64_t>(age));
+}
+
+bool is_too_wide(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,
+                 std::optional<double> fixed) {
+  if (fixed) return false;
+  const double radii = 2 * list.classes.back().smallest_radius;
+  return next_skin(list, travelled, shrunk, step, fixed)(radii) < 0.5 * list.skin(radii);
 }
 
 Skin next_skin(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,

@@ -11,8 +11,8 @@ namespace furnas {
 struct Wear {
   /// No particle of the class has moved further: the affine part apart, in the cell of the list [d_s].
   std::vector<double> travelled;
-  bool suspect{};  ///< the bounds above no longer prove the list complete: measure
-  bool worn{};     ///< a contact outside the list is possible: build a new one
+  bool suspect{};  ///< the bounds above no longer prove the list complete, or it is time to ask: measure
+  bool worn{};     ///< a contact outside the list is possible, or it is too wide: build a new one
 };
 
 /// Whether every pair that touches must still be in the list, and every row still mean the image it was
@@ -26,6 +26,14 @@ double shrinkage(const Triangle& now, const Triangle& then);
 
 /// A bound of `shrinkage` that costs a few operations.
 double shrinkage_bound(const Triangle& now, const Triangle& then);
+
+/// Whether a list is to be asked for its width in this step: at ages of 128, 256, 512, ... steps.
+bool is_time_to_ask(const PairList& list, std::int64_t step);
+
+/// Whether the list is so much wider than what the packing has needed under it that a new one pays. A packing
+/// that comes to rest would else keep the needless pairs of its motion for good.
+bool is_too_wide(const PairList& list, const std::vector<double>& travelled, double shrunk, std::int64_t step,
+                 std::optional<double> fixed);
 
 /// The skin for the next list, from how fast particles moved and the cell shrank under the last one: the
 /// life that makes building and needless pairs together cheapest, and the room needed to live so long.

@@ -21,11 +21,11 @@ enum class Species : std::uint8_t { large = 0, small = 1 };
 struct Contact {
   std::uint32_t i{}, j{};              ///< indices into the packing's arrays
   std::array<std::int8_t, 3> image{};  ///< cells between the nearest image and the one that is touched
+  bool sliding{};                      ///< the tangential force has reached friction times the normal force
   Vec3<double> branch;                 ///< centre of j (its image that is touched) to centre of i [d_s]
   double overlap{};                    ///< R_i + R_j - |branch| > 0 [d_s]
   Vec3<double> force;                  ///< on i [k_n d_s]
   Vec3<double> history;  ///< tangential displacement xi of i against j [d_s]; zero without friction
-  bool sliding{};        ///< the tangential force has reached friction times the normal force
 };
 
 /// A packing as the rest of the program sees it, outside the step: plain doubles, in order of id.

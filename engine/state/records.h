@@ -77,8 +77,8 @@ struct Row<Real, true> {
   Real minus_arm_j;   ///< lever arm of j, with a minus [d_s]
 };
 
-/// Whether a particle has a contact in this step. Several threads may say so at once, all the same.
-using Touched = std::atomic<std::uint8_t>;
+/// How many contacts a particle has. Several threads may count at once.
+using ContactCount = std::atomic<std::uint32_t>;
 
 /// Tangential displacement of a contact, in a group of four.
 template <class Real>

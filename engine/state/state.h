@@ -15,29 +15,29 @@
 
 namespace furnas {
 
-/// What the pairs of the list answer in a step, and which particles have a contact at all.
+/// What the pairs of the list answer in a step; one a pair, zero while it does not touch.
 template <class Real, bool spins>
-struct Rows {
-  std::vector<Row<Real, spins>> row;  ///< one a pair of the list
-  std::vector<Touched> touched;       ///< one a particle; cleared again by who has read it
-
-  /// Rows of pairs that do not touch.
-  void clear(std::size_t pairs, std::size_t particles) {
-    row.assign(pairs, {});
-    if (touched.size() != particles) touched = std::vector<Touched>(particles);
-  }
-};
+using Rows = std::vector<Row<Real, spins>>;
 
 /// What the pairs of the list remember from one step to the next.
 template <class Real>
 struct Memory {
   std::vector<Spring<Real>> springs;   ///< one a pair; zero while it does not touch; empty without friction
   std::vector<std::uint8_t> touching;  ///< one a pair: 1 if it touched in the last step
+  std::vector<ContactCount> contacts;  ///< one a particle: pairs of its that touched in the last step
 
   /// A memory of pairs that have never touched.
-  void clear(std::size_t pairs, bool friction) {
+  void clear(std::size_t pairs, std::size_t particles, bool friction) {
     springs.assign(friction ? pairs : 0, {});
     touching.assign(pairs, 0);
+    contacts = std::vector<ContactCount>(particles);
+  }
+
+  /// Notes that row `k`, of particles i and j, touches.
+  void touch(std::uint64_t k, std::uint32_t i, std::uint32_t j) {
+    touching[k] = 1;
+    contacts[i].fetch_add(1, std::memory_order_relaxed);
+    contacts[j].fetch_add(1, std::memory_order_relaxed);
   }
 };
 

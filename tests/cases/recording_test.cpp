@@ -86,11 +86,7 @@ struct Saving {
   Observation now{simulation, 3};
   Checkpoints checkpoints{folder / ""};
   std::atomic<bool> asked{false}, attention{false};
-  SaveCheckpoint event{checkpoints,
-                       [this] {
-                         return Checkpoint{now.packing(), "", {}};
-                       },
-                       1e5, asked, attention};
+  SaveCheckpoint event{[this] { checkpoints.write({now.packing(), "", {}}); }, 1e5, asked, attention};
 };
 
 Packing calm() {
@@ -129,9 +125,8 @@ TEST(ReliableSaveCheckpoint, RefusesAStateThatHasDiverged) {
 TEST(ReliableSaveCheckpoint, CallsTheRunToAttention) {
   Saving saving(calm());
   SaveCheckpoint soon(
-      saving.checkpoints,
       [&] {
-        return Checkpoint{saving.now.packing(), "", {}};
+        saving.checkpoints.write({saving.now.packing(), "", {}});
       },
       1e-3, saving.asked, saving.attention);
   const auto begin = std::chrono::steady_clock::now();

@@ -70,9 +70,8 @@ Story run_with(const Poison::Change& change) {
   events.push_back(std::make_unique<Poison>(change));
   events.push_back(std::make_unique<Ask>(asked));
   events.push_back(std::make_unique<SaveCheckpoint>(
-      checkpoints,
       [&] {
-        return Checkpoint{now.packing(), "", {}};
+        checkpoints.write({now.packing(), "", {}});
       },
       1e5, asked, attention));
   events.push_back(std::make_unique<Budget>(3000));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/phases/crystal.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/property.h"
@@ -52,6 +53,26 @@ TEST(RenewList, RebuildsRarelyWhenLittleMoves) {
   const auto simulation = make_simulation(test::hasty_model(0), test::hasty_gas());
   simulation->advance(700);
   EXPECT_LT(simulation->builds(), 100);
+}
+
+// A packing that has come to rest does not keep the pairs that its motion has asked for.
+TEST(RenewList, ShedsNeedlessPairsWhenNothingMoves) {
+  constexpr double gap = 0.03;  // of neighbours; the first list reaches further
+  Model model = test::hasty_model(0);
+  model.barostat.freedom = CellFreedom::fixed;
+  const Packing still = simple_cubic(1 + gap, 4);
+  const auto simulation = make_simulation(model, still);
+  simulation->advance(128);
+  EXPECT_EQ(simulation->pairs(), 3 * still.size()) << "too young to be asked";
+  simulation->advance(1);
+  EXPECT_EQ(simulation->pairs(), 0u);
+  simulation->advance(4000);
+  EXPECT_EQ(simulation->builds(), 2) << "asked again, and found narrow enough";
+
+  model.skin = 0.05;
+  const auto fixed = make_simulation(model, still);
+  fixed->advance(1000);
+  EXPECT_EQ(fixed->builds(), 1) << "whoever gives a skin gets it";
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
     const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
     const PairList old = test::listed(then, {dice.between(0, 0.5), 0});
     Memory<double> memory;
-    memory.clear(old.rows(), true);
+    memory.clear(old.rows(), old.first.size() - 1, true);
     for (std::size_t k = 0; k < old.rows(); ++k)
       if (dice.chance(0.7)) memory.touching[k] = 1, memory.springs[k].history = dice.vector(1);
 

@@ -45,8 +45,8 @@ class Driven {
     require(state_.pairs.rows() == start.size() * (start.size() - 1) / 2 && state_.pairs.quarter.empty(),
             "every pair is listed, once");
     state_.loads.resize(start.size());
-    state_.rows.clear(state_.pairs.rows(), start.size());
-    state_.memory.clear(state_.pairs.rows(), Law::spins);
+    state_.rows.assign(state_.pairs.rows(), {});
+    state_.memory.clear(state_.pairs.rows(), start.size(), Law::spins);
     for (const Contact& c : start.contacts) {
       state_.memory.touching[row(c.i, c.j)] = 1;
       if constexpr (Law::spins) state_.memory.springs[row(c.i, c.j)].history = c.history;
@@ -73,7 +73,7 @@ class Driven {
 
   /// Row of particle i and an earlier one.
   std::size_t row(std::size_t i, std::size_t j) const { return state_.pairs.first[i] + j; }
-  Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows.row[row(i, j)].force; }
+  Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows[row(i, j)].force; }
   Vec3<double> history(std::size_t i, std::size_t j) const {
     return state_.memory.springs[row(i, j)].history;
   }
@@ -84,8 +84,8 @@ class Driven {
   void gather(double time_step) {
     contact_forces<S>(model_, time_step, state_.cell, state_.pairs, state_.particles, state_.loads,
                       state_.rows, state_.memory, state_.stress.contacts, work_);
-    gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows, state_.loads,
-                       state_.particles, state_.stress.motion);
+    gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows, state_.memory,
+                       state_.loads, state_.particles, state_.stress.motion);
     for (std::size_t k = 0; k < state_.particles.size(); ++k) {
       const Vec3<double> force = push_(k, position(k), time());
       state_.loads[k].force += force;

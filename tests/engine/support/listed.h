@@ -26,8 +26,8 @@ inline PairList listed(const Packing& p, const Skin& skin) {
   PairList list;
   list.classes = size_classes(p.radius);
   list.skin = skin;
-  find_pairs(bin_classes(list.classes, skin, p.cell.edges, p.fraction), p.cell.edges, p.fraction, p.radius,
-             list);
+  list.reference = p.fraction;
+  find_pairs(bin_classes(list.classes, skin, p.cell.edges, p.fraction), p.cell.edges, p.radius, list);
   return list;
 }
 
