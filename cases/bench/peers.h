@@ -15,9 +15,9 @@ struct PeersOrder {
   std::string source;            ///< a packing, or the folder of a run
   std::filesystem::path folder;  ///< where LAMMPS works
   ModelChoice model{.law = "hooke_history"};
-  std::int64_t steps = 2000;                        ///< of each run
-  int pairs = 5;                                    ///< runs of each program, in turn
-  int ranks = 1;                                    ///< of LAMMPS, and threads of furnas
+  std::int64_t steps = 2000;                                ///< of each run
+  int pairs = 5;                                            ///< runs of each program, in turn
+  int ranks = 1;                                            ///< of LAMMPS, and threads of furnas
   std::vector<double> skins{0.005, 0.01, 0.02, 0.05, 0.1};  ///< that LAMMPS tries [d_s]
 };
 
