@@ -30,7 +30,7 @@ class Observation {
   std::int64_t step() const { return simulation_.step(); }
   const Packing& packing();
   const Measures& measures();
-  /// The packing, at the end of all observation.
+  /// The packing, given away: whoever changes it needs no second one. Asked again, it is taken anew.
   Packing take_packing();
 
   /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.

@@ -82,7 +82,7 @@ bool flip_cell(Packing& p) {
 bool Flip::due(Observation& now) { return too_tilted(now.simulation().cell().edges); }
 
 std::optional<Verdict> Flip::fire(Observation& now) {
-  Packing packing = now.packing();
+  Packing packing = now.take_packing();
   if (flip_cell(packing)) {
     now.replace(packing);
     ++count_;

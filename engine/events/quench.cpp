@@ -58,7 +58,7 @@ void Quench::recall(const std::string& memory) {
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {
-  Packing packing = now.packing();
+  Packing packing = now.take_packing();
   for (std::size_t k = 0; k < packing.size(); ++k) {
     packing.ledger.quenched += kinetic_energy(packing, k);
     packing.velocity[k] = packing.spin[k] = {};

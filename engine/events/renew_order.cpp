@@ -5,7 +5,7 @@
 namespace furnas {
 
 std::optional<Verdict> RenewOrder::fire(Observation& now) {
-  Packing packing = now.packing();
+  Packing packing = now.take_packing();
   packing.order = memory_order(packing);
   now.replace(packing);
   return {};
