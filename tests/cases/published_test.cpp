@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 
 #include "engine/structure/statistics.h"
 #include "io/case_file.h"
@@ -195,6 +196,11 @@ INSTANTIATE_TEST_SUITE_P(Nightly, CellProtocol,
 struct Mixed {
   double ratio, fraction;
   int large;
+
+  /// What the test is called.
+  friend void PrintTo(const Mixed& m, std::ostream* out) {
+    *out << "alpha_" << m.ratio << "_f_" << m.fraction;
+  }
 };
 
 class ContactIntegrator : public testing::TestWithParam<Mixed> {};
