@@ -11,25 +11,24 @@ namespace {
 
 constexpr std::size_t page = std::size_t{2} << 20;
 
-/// Memory in pages of two megabytes, where the system gives them when asked (`madvise` in
-/// /sys/kernel/mm/transparent_hugepage/enabled). A step looks up partners all over its arrays, and with pages
-/// of 4 kB the processor spends a fifth of its time on finding where they are. The last page is a large one
-/// only if it is well filled, so that little is wasted.
-void* in_large_pages(std::size_t size) {
+/// Memory, nothing if there is none. What fills pages of two megabytes gets such, where the system gives them
+/// when asked (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step looks up partners all over
+/// its arrays, and with pages of 4 kB the processor spends a fifth of its time on finding where they are. The
+/// last page is a large one only if it is well filled, so that little is wasted.
+void* allocate(std::size_t size) {
   const std::size_t all = (size + page - 1) / page * page;
+  const std::size_t large = all - size < size / 4 ? all : size / page * page;
+  if (large == 0) return std::malloc(size);
   void* const memory = std::aligned_alloc(page, all);
-  const std::size_t wanted = all - size < size / 4 ? all : size / page * page;
-  if (memory != nullptr && wanted > 0) ::madvise(memory, wanted, MADV_HUGEPAGE);  // a wish; it may be refused
+  if (memory != nullptr) ::madvise(memory, large, MADV_HUGEPAGE);  // a wish; it may be refused
   return memory;
 }
 
 }  // namespace
 
 void* operator new(std::size_t size) {
-  constexpr std::size_t many = page / 2;
   while (true) {
-    if (void* const memory = size >= many ? in_large_pages(size) : std::malloc(size == 0 ? 1 : size))
-      return memory;
+    if (void* const memory = allocate(size == 0 ? 1 : size)) return memory;
     const std::new_handler handler = std::get_new_handler();
     if (handler == nullptr) throw std::bad_alloc();
     handler();

@@ -196,7 +196,8 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
   std::vector<Contact> contacts;
   const auto& touching = state_.memory.touching;
   const auto touch = static_cast<std::size_t>(std::count(touching.begin(), touching.end(), 1));
-  contacts.reserve(touch + touch / 256 + 16);  // rounding may see a few more here, and no room is twice the room
+  // Rounding may see a few more here than the step did; without room for them the list would be copied.
+  contacts.reserve(touch + touch / 256 + 16);
   for (std::uint32_t i = 0; i < count_; ++i) {
     const auto& p = state_.particles[i];
     for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {

@@ -38,10 +38,10 @@ void each_file(const fs::path& folder, Visit&& visit) {
 void write_manifest(const fs::path& folder, const std::string& program) {
   constexpr const char* name = "manifest.json";
   std::map<std::string, nlohmann::ordered_json> files;
+  std::vector<char> block(std::size_t{1} << 20);  // not a file at once: it may be larger than the memory
   each_file(folder, [&](const fs::path& path) {
     if (path.filename() == name || path.extension() == ".lock") return;
     std::ifstream in(path, std::ios::binary);
-    std::vector<char> block(std::size_t{1} << 20);  // not all at once: it may be larger than the memory
     std::uint64_t bytes = 0;
     Hasher hasher;
     while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {

@@ -105,8 +105,8 @@ vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<std::int3
 
 vtkSmartPointer<vtkDataArray> view(const char* name, const std::vector<std::int64_t>& values) {
   // A type of its own in VTK: long long where int64_t is long, of the same size.
-  return view_numbers<vtkTypeInt64Array>(
-      name, reinterpret_cast<const vtkTypeInt64*>(values.data()), values.size(), 1);
+  return view_numbers<vtkTypeInt64Array>(name, reinterpret_cast<const vtkTypeInt64*>(values.data()),
+                                         values.size(), 1);
 }
 
 vtkSmartPointer<vtkPoints> view(const std::vector<Vec3<double>>& points) {

@@ -14,7 +14,7 @@ namespace furnas {
 /// no force, only the time until they balance; docs/decisions.md has the measurement.
 ///
 /// At first it acts at each end of a window. Where that does not bring rest, something slow is on its way
-/// that each quench holds up; from then on it acts at the look at which the motion has fallen to half of its peak.
+/// that each quench holds up; from then on it acts once the motion has fallen to half of its peak.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}

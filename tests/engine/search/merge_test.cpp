@@ -67,9 +67,11 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
     const PairList fresh = test::listed(now, {dice.between(0, 0.5), 0});
     merge_memory(old, memory, fresh, now.fraction, true);
     RC_ASSERT(memory.springs.size() == fresh.rows() && memory.touching.size() == fresh.rows());
+    std::vector<std::uint32_t> contacts(now.size());
     for (std::uint32_t i = 0; i < now.size(); ++i)
       for (std::uint64_t k = fresh.first[i]; k < fresh.first[i + 1]; ++k) {
         const std::uint32_t j = fresh.partner[k];
+        if (memory.touching[k] != 0) ++contacts[i], ++contacts[j];
         Contact c;
         c.i = i;
         c.j = j;
@@ -79,6 +81,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
         RC_ASSERT(test::same_bits(memory.springs[k].history, wanted_history));
         RC_ASSERT((memory.touching[k] != 0) == (found != expected.end()));
       }
+    RC_ASSERT(std::equal(contacts.begin(), contacts.end(), memory.contacts.begin(), memory.contacts.end()));
   }));
 }
 

@@ -48,7 +48,7 @@ class Driven {
     state_.rows.assign(state_.pairs.rows(), {});
     state_.memory.clear(state_.pairs.rows(), start.size(), Law::spins);
     for (const Contact& c : start.contacts) {
-      state_.memory.touching[row(c.i, c.j)] = 1;
+      state_.memory.touch(row(c.i, c.j), c.i, c.j);
       if constexpr (Law::spins) state_.memory.springs[row(c.i, c.j)].history = c.history;
     }
     gather(0);
