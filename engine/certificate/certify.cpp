@@ -55,9 +55,9 @@ Part balance_part(const ContactNetwork& network, const Backbone& backbone, const
   part.asks = "Do the static forces and torques on every member of the backbone cancel?";
   part.findings = {
       at_most("mean |net force|/mean contact force", found.mean_force, terms.imbalance),
-      at_most("largest |net force|/mean contact force", found.largest_force, terms.single_imbalance),
+      at_most("largest |net force|/load of the particle", found.largest_force, terms.single_imbalance),
       at_most("mean |net torque|/(mean contact force R)", found.mean_torque, terms.imbalance),
-      at_most("largest |net torque|/(mean contact force R)", found.largest_torque, terms.single_imbalance)};
+      at_most("largest |net torque|/(load R)", found.largest_torque, terms.single_imbalance)};
   part.note = found.mean_force <= terms.tight_imbalance ? "tight" : part.passed() ? "loose" : "";
   return part;
 }

@@ -20,7 +20,7 @@ struct CertificateTerms {
 
   double tight_imbalance = 1e-4;   ///< mean |net force|/mean |F| that is called tight
   double imbalance = 1e-3;         ///< the same, that is accepted
-  double single_imbalance = 5e-2;  ///< of any one particle
+  double single_imbalance = 5e-2;  ///< |net force|/load of any one particle (statics.h)
   double stress_error = 1e-3;      ///< |P - p_a| of each component the cell answers to, over p_a
   double cone_excess = 1e-2;       ///< (|F_t| - mu F_n)/(mu mean F_n) of any one contact
   int eigenvalues = 6;             ///< shown

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace furnas {
 
@@ -20,18 +21,21 @@ std::vector<Residual> residuals(const ContactNetwork& network) {
 
 Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone) {
   const std::vector<Residual> residual = residuals(network);
+  const double pressure = static_stress(network).trace() / 3;
   Imbalance found;
   for (const std::uint32_t k : backbone.particles) {
-    const double f = norm(residual[k].force) / network.mean_force;
-    const double t = norm(residual[k].torque) / (network.mean_force * network.radius[k]);
+    const double r = network.radius[k];
+    const double load = std::max(network.mean_force, pressure * std::numbers::pi * r * r);
+    const double f = norm(residual[k].force);
+    const double t = norm(residual[k].torque) / r;
     found.mean_force += f;
     found.mean_torque += t;
-    found.largest_force = std::max(found.largest_force, f);
-    found.largest_torque = std::max(found.largest_torque, t);
+    found.largest_force = std::max(found.largest_force, f / load);
+    found.largest_torque = std::max(found.largest_torque, t / load);
   }
-  const auto count = static_cast<double>(backbone.particles.size());
-  found.mean_force /= count;
-  found.mean_torque /= count;
+  const double all = network.mean_force * static_cast<double>(backbone.particles.size());
+  found.mean_force /= all;
+  found.mean_torque /= all;
   return found;
 }
 

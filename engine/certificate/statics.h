@@ -17,10 +17,15 @@ struct Residual {
 /// Of each particle.
 std::vector<Residual> residuals(const ContactNetwork& network);
 
-/// How far a backbone is from rest, by its static forces alone.
+/// How far a backbone is from rest, by its static forces alone. The load of a particle is the mean |F| of all
+/// contacts, or p pi R^2, what the pressure presses on its cross-section, if that is more: two large spheres
+/// press on each other (R/R_s)^2 times harder than small ones do, and rest as well if they rest in
+/// proportion.
 struct Imbalance {
-  double mean_force{}, largest_force{};    ///< |net force| of a member/mean |F| of all contacts
-  double mean_torque{}, largest_torque{};  ///< |net torque|/(mean |F| R)
+  double mean_force{};      ///< |net force| of a member/mean |F| of all contacts
+  double mean_torque{};     ///< |net torque|/(mean |F| R)
+  double largest_force{};   ///< |net force|/load
+  double largest_torque{};  ///< |net torque|/(load R)
 };
 
 Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/certificate/statics.h"
 #include "tests/engine/phases/crystal.h"
@@ -112,6 +113,32 @@ TEST(StaticStress, OfCrystals) {
     expect(face_centred(r, cells), 2 * std::sqrt(2) * (1 - r) / (r * r));
   }
   expect(reskewed(face_centred_primitive(r), 1, -1, 2), 2 * std::sqrt(2) * (1 - r) / (r * r));
+}
+
+// A sphere of a simple cubic crystal, out of its place by x along an edge, is pushed back by 2 k x, and away
+// by the four contacts across, which have turned by x/r; its neighbours get the opposite. For equal spheres
+// that touch, the load is the mean contact force; were they four times as large under the same pressure, it
+// would be p pi R^2.
+TEST(Imbalance, IsThatOfAnyOneParticleOverItsLoad) {
+  constexpr double r = 0.95;
+  constexpr double f = 1 - r;
+  constexpr double x = 1e-6;
+  Packing p = simple_cubic(r, 3);
+  p.fraction[13].x += to_fixed(x / p.cell.edges.xx);
+  ContactNetwork network = contact_network(p, {});
+  const Backbone all = find_backbone(network, p.species, {.force_share = 0, .least_contacts = 4});
+  ASSERT_EQ(all.particles.size(), 27u);
+  const double largest = (2 - 4 * f / r) * x;
+  const double mean = 4 * x / 27;
+  // 1e-5: overlaps change to second order in x/r.
+  const auto expect = [&](double load) {
+    const Imbalance found = imbalance(network, all);
+    EXPECT_NEAR(found.largest_force, largest / load, 1e-5 * largest / load);
+    EXPECT_NEAR(found.mean_force, mean / f, 1e-5 * mean / f);
+  };
+  expect(f);
+  for (double& radius : network.radius) radius *= 4;
+  expect(f / (r * r) * std::numbers::pi * 4);
 }
 
 }  // namespace
