@@ -8,6 +8,7 @@
 #include "cases/preflight.h"
 #include "cases/run_case.h"
 #include "cases/run_folder.h"
+#include "cases/scenario.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
 
@@ -22,6 +23,15 @@ struct Options {
   std::optional<int> threads;
   std::optional<std::int64_t> seed;
 };
+
+/// Placing 2.6e7 spheres takes a minute, before there is any progress to show.
+void announce_start(const Case& c, Console console) {
+  constexpr std::int64_t many = 1'000'000;
+  if (!c.start.file.empty()) return;
+  const Mixture mixture = mixture_of(c);
+  const std::int64_t spheres = mixture.large + small_count(mixture);
+  if (spheres >= many) console.err << fmt::format("places {} spheres at random\n", spheres) << std::flush;
+}
 
 }  // namespace
 
@@ -52,6 +62,7 @@ Command run_command() {
       console.err << "furnas: refused: " << preflight.refusal << '\n';
       return ExitCode::refused;
     }
+    announce_start(c, console);
     RunOrder order = order_to_run(c);
     order.walltime = walltime;
     order.folder = std::make_unique<RunFolder>(RunFolder::create(options->out, options->file));

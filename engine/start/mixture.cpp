@@ -1,6 +1,7 @@
 #include "engine/start/mixture.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -21,7 +22,7 @@ class Occupied {
       : length_(length),
         bins_(std::max(1.0, std::floor(length / (radius + probe_radius)))),
         contact_((radius + probe_radius) * (radius + probe_radius)),
-        heads_(2 * expected + 1, none) {}
+        heads_(std::bit_ceil(2 * expected + 1), none) {}
 
   void insert(const Vec3<double>& s) {
     std::uint32_t& head = heads_[slot(bin(s.x), bin(s.y), bin(s.z))];
@@ -50,12 +51,15 @@ class Occupied {
 
   std::int64_t bin(double s) const { return static_cast<std::int64_t>(s * bins_); }
 
+  /// Bins that follow each other along z do so in memory, which for many spheres is far away: a look costs
+  /// nine ways there, not 27.
   std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
     const auto n = static_cast<std::int64_t>(bins_);
-    const auto wrap = [n](std::int64_t a) { return static_cast<std::uint64_t>((a % n + n) % n); };
-    const auto count = static_cast<std::uint64_t>(n);
-    const std::uint64_t key = (wrap(x) * count + wrap(y)) * count + wrap(z);
-    return (key * 0x9E3779B97F4A7C15u >> 20) % heads_.size();
+    const auto wrap = [n](std::int64_t a) {
+      return static_cast<std::uint64_t>(a < 0 ? a + n : a < n ? a : a - n);
+    };
+    const std::uint64_t column = wrap(x) * static_cast<std::uint64_t>(n) + wrap(y);
+    return ((column * 0x9E3779B97F4A7C15u >> 20) + wrap(z)) & (heads_.size() - 1);
   }
 
   bool near(const Vec3<double>& a, const Vec3<double>& b) const {
