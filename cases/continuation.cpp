@@ -101,19 +101,10 @@ void refuse_another_version(const Checkpoint& checkpoint) {
                     wrote, build_info().version));
 }
 
-/// Keys that change no bit of the packing, so that a run may go on with other values.
-constexpr std::string_view free_keys[] = {
-    "stop.steps",     "compute.threads",     "compute.skin",     "output.checkpoint_minutes",
-    "output.picture", "output.picture_size", "output.background"};
-
-bool is_free(const Key& key) {
-  return std::find(std::begin(free_keys), std::end(free_keys), key.path()) != std::end(free_keys);
-}
-
 void refuse_another_case(const Case& saved, const Case& asked, const std::string& file) {
   for (const Key& key : case_keys()) {
     const std::string was = value_text(key, saved), now = value_text(key, asked);
-    if (was == now || is_free(key)) continue;
+    if (was == now || changes_no_bit(key)) continue;
     throw InputError(
         fmt::format("{}: {} = {}, but the checkpoint was saved with {}; a run goes on as it began; for "
                     "another case begin a new run, with start.file if it is to start from here",

@@ -132,7 +132,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
   const int threads =
       c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));
-  const double rate = 6e6 * threads;  // particle-steps a second, docs/performance.md
+  const double rate = pace_of_a_core * threads;
   const auto seconds = [&](double steps) { return steps * n.particles() / rate; };
   out.report += fmt::format(
       "time      about {} for 2e5 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",

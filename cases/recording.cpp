@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "engine/analysis/faults.h"
 #include "engine/base/require.h"
@@ -99,19 +101,30 @@ bool Checkpoints::none(const std::filesystem::path& folder) {
 Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder) {
   const auto begin = std::chrono::steady_clock::now();
   Found newest;
+  const auto note = [&](const InputError& error) {
+    newest.fault += (newest.fault.empty() ? "" : "; ") + std::string(error.what());
+  };
+  std::vector<std::pair<std::int64_t, const char*>> files;
   for (const char* name : checkpoint_names) {
     if (!std::filesystem::exists(folder / name)) continue;
     try {
-      Checkpoint found = read_checkpoint(folder / name);
-      if (!newest.file.empty() && found.packing.step <= newest.checkpoint.packing.step) continue;
-      newest.checkpoint = std::move(found);
-      newest.file = name;
+      files.emplace_back(checkpoint_step(folder / name), name);
     } catch (const InputError& error) {
-      newest.fault += (newest.fault.empty() ? "" : "; ") + std::string(error.what());
+      note(error);
     }
   }
-  newest.seconds = since(begin).count();
-  if (!newest.file.empty()) return newest;
+  std::sort(files.rbegin(), files.rend());
+  // One after the other: there may be no room for two.
+  for (const auto& [step, name] : files) {
+    try {
+      newest.checkpoint = read_checkpoint(folder / name);
+      newest.file = name;
+      newest.seconds = since(begin).count();
+      return newest;
+    } catch (const InputError& error) {
+      note(error);
+    }
+  }
   throw InputError(newest.fault.empty()
                        ? folder.string() + " holds no checkpoint; allowed: the folder of a run"
                        : newest.fault);
@@ -131,9 +144,9 @@ bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >
 
 std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
-  if (std::string fault = fault_of(now.packing(), now.simulation().model()); !fault.empty())
-    return now.diverged(std::move(fault));
-  save_();
+  // A state with a fault is not saved; whether it ends the run, the Monitor says at its own steps: the time
+  // of day does not.
+  if (fault_of(now.packing(), now.simulation().model()).empty()) save_();
   last_ = Clock::now();
   alarm_.set(last_ + period_);
   return {};

@@ -60,7 +60,7 @@ class Checkpoints {
   struct Found {
     Checkpoint checkpoint;
     std::string file;   ///< its name
-    std::string fault;  ///< what is wrong with the other one; empty if nothing is
+    std::string fault;  ///< what is wrong with the newer one; empty if there is none
     double seconds{};   ///< that reading took
   };
 

@@ -40,6 +40,8 @@ std::int64_t count_of(const Events& events) {
 std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest, const Case& c) {
   switch (verdict) {
     case Verdict::jammed:
+      if (c.stop.criterion == "paper")
+        return "the kinetic energy is below its limit, which is all that was asked";
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
     case Verdict::diverged:
       break;
@@ -56,6 +58,7 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
 struct Outcome {
   Verdict verdict;
   std::string failure;
+  bool good = true;  ///< the state may be saved
 };
 
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
@@ -171,9 +174,14 @@ CheckpointView Run::whole() {
 
 Outcome Run::compact_on() {
   const Verdict verdict = compact(now_, events_, &requests_.attention);
-  if (verdict == Verdict::diverged) return {verdict, now_.fault()};
+  if (verdict == Verdict::diverged) return {verdict, now_.fault(), false};
   const std::string fault = fault_of(now_.packing(), simulation_->model());
-  return {fault.empty() ? verdict : Verdict::diverged, fault};
+  if (fault.empty()) return {verdict, {}};
+  // Whether a fault ends a run, the Monitor says at its own steps, not whoever stops it in between.
+  const bool stopped =
+      verdict == Verdict::interrupted || (verdict == Verdict::budget && now_.step() < case_.stop.steps);
+  if (stopped) return {verdict, {}, false};
+  return {Verdict::diverged, fault, false};
 }
 
 /// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
@@ -182,13 +190,14 @@ Outcome Run::outcome() {
   try {
     return compact_on();
   } catch (const NumericalFailure& error) {
-    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now_.step())};
+    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now_.step()), false};
   }
 }
 
 Result Run::result_of(const Outcome& outcome) {
   Result result;
   result.verdict = outcome.verdict;
+  result.version = build_info().version;
   result.measures = now_.measures();
   result.measures.rebuilds = lists_built();
   result.rest = watch_.report();
@@ -227,7 +236,7 @@ ExitCode Run::go() {
     if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
   const bool moved = order_.checkpoint.empty() || now_.step() > first_step_;
   jammed_ = end.verdict == Verdict::jammed;
-  if (end.verdict != Verdict::diverged && moved) checkpoints_.write(whole());
+  if (end.good && moved) checkpoints_.write(whole());
   const Result result = result_of(end);
   const Packing packing = now_.take_packing();
   simulation_.reset();  // what is written needs as much memory

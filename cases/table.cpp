@@ -10,7 +10,6 @@ namespace furnas {
 
 void Table::row(std::vector<std::string> cells) {
   require(cells.size() == names_.size(), "a row has a cell for each name");
-  for (const std::string& cell : cells) require(cell.find(',') == cell.npos, "no cell has a comma");
   rows_.push_back(std::move(cells));
 }
 
@@ -32,7 +31,11 @@ std::string Table::aligned() const {
 
 std::string Table::csv() const {
   std::string text = fmt::format("{}\n", fmt::join(names_, ","));
-  for (const auto& cells : rows_) text += fmt::format("{}\n", fmt::join(cells, ","));
+  for (std::vector<std::string> cells : rows_) {
+    for (std::string& cell : cells)
+      if (cell.find(',') != cell.npos) cell = fmt::format("\"{}\"", cell);
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
   return text;
 }
 

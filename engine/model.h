@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// The pressure bath: how the cell answers to the stress (docs/physics.md).
+/// The pressure bath: how the cell answers to the stress (engine/phases/barostat.h).
 struct Barostat {
   CellFreedom freedom = CellFreedom::triclinic;
   double pressure = 1e-4;  ///< p_a [k_n/d_s]

@@ -65,7 +65,7 @@ struct Case {
   /// How the machine is used; none of it changes what is computed, save `precision`.
   struct Compute {
     std::string precision = "mixed";  ///< "mixed", or "double": of forces and velocities
-    std::optional<int> threads;       ///< empty: as many as the machine offers
+    std::optional<int> threads;       ///< empty: one per 2000 particles, as many as there are
     std::optional<double> skin;       ///< of the neighbour list; empty: chosen by the program [d_s]
     friend bool operator==(const Compute&, const Compute&) = default;
   };

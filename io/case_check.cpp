@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
+#include "engine/state/packing.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
@@ -16,9 +16,6 @@ namespace furnas {
 namespace {
 
 constexpr double small_mass = sphere_volume(0.5);  // [rho d_s^3]
-
-/// Particles are counted in 31 bits.
-constexpr double most_spheres = std::numeric_limits<std::int32_t>::max();
 
 /// The stability limit of x'' = -stiffness x - damping x' with the force, damping included, taken at the
 /// start of each step: stiffness dt^2 + 2 damping dt = 4.
@@ -63,12 +60,13 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
   }
   const double small = small_spheres(mixture);
   const double all = small + static_cast<double>(mixture.large);
-  if (all > most_spheres)
+  if (all > static_cast<double>(most_particles))
     return Conflict{
         "mixture.large",
         fmt::format("mixture.large = {} with size_ratio = {} and small_fraction = {} makes {:.4g} "
                     "spheres; allowed: at most {:.0f}",
-                    mixture.large, mixture.size_ratio, mixture.small_fraction, all, most_spheres)};
+                    mixture.large, mixture.size_ratio, mixture.small_fraction, all,
+                    static_cast<double>(most_particles))};
   if (mixture.small_fraction > 0 && small < 1)
     return Conflict{
         "mixture.small_fraction",

@@ -1,6 +1,8 @@
 #include "io/case_schema.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace furnas {
@@ -48,7 +50,7 @@ std::vector<Key> mixture_and_start() {
             "chooses the random start; the same seed gives the same bits",
             [](Case& c) -> Field { return &c.mixture.seed; }),
       plain("start", "file", "", std::monostate{},
-            "start from this packing instead of [mixture]: LAMMPS data, extended XYZ or a checkpoint",
+            "start from this packing instead of [mixture]: a checkpoint, VTP, extended XYZ, LAMMPS data or dump",
             [](Case& c) -> Field { return &c.start.file; }),
   };
 }
@@ -189,6 +191,13 @@ std::vector<std::string_view> case_tables() {
   for (const Key& key : case_keys())
     if (tables.empty() || tables.back() != key.table) tables.push_back(key.table);
   return tables;
+}
+
+bool changes_no_bit(const Key& key) {
+  constexpr std::string_view paths[] = {
+      "stop.steps",     "compute.threads",     "compute.skin",     "output.checkpoint_minutes",
+      "output.picture", "output.picture_size", "output.background"};
+  return std::find(std::begin(paths), std::end(paths), key.path()) != std::end(paths);
 }
 
 const Key* find_key(std::string_view table, std::string_view name) {

@@ -53,6 +53,9 @@ std::span<const Key> case_keys();
 /// The tables of a case file in the order of `case_keys`.
 std::vector<std::string_view> case_tables();
 
+/// Whether a run gives the same packing, step by step, whatever the key's value: it may go on with another.
+bool changes_no_bit(const Key& key);
+
 /// The key with this table and name, or nullptr.
 const Key* find_key(std::string_view table, std::string_view name);
 

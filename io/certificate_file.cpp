@@ -50,7 +50,7 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
   return {{"of", of},
           {"passed", c.passed()},
           {"failed", failed},
-          {"force_balance", c.tight ? "tight" : "loose"},
+          {"force_balance", to_string(c.balance)},
           {"particles", c.particles},
           {"backbone", c.backbone},
           {"contacts", c.contacts},
@@ -58,7 +58,7 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
           {"listed_contacts_that_are_open", c.open},
           {"applied_pressure", terms.pressure},
           {"friction", terms.springs.friction},
-          {"least_contacts", terms.least_contacts},
+          {"least_contacts", c.least_contacts},
           {"bulk_modulus", number(c.bulk_modulus)},
           {"shear_modulus", number(c.shear_modulus)},
           {"eigenvalues", eigenvalues},
@@ -98,9 +98,8 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
   std::string failed;
   for (const Part& part : c.parts)
     if (!part.passed()) failed += (failed.empty() ? "" : ", ") + part.name;
-  text += c.passed()
-              ? fmt::format("jammed: every part passed, force balance {}\n", c.tight ? "tight" : "loose")
-              : fmt::format("not certified: {} failed\n", failed);
+  text += c.passed() ? fmt::format("jammed: every part passed, force balance {}\n", to_string(c.balance))
+                     : fmt::format("not certified: {} failed\n", failed);
   return text;
 }
 

@@ -110,12 +110,18 @@ class Loader {
   SectionReader reader_;
 };
 
+/// What stands first, for who wants to know what a file is about.
+template <class Archive, class AnyCheckpoint>
+void exchange_head(Archive& archive, AnyCheckpoint& checkpoint) {
+  archive.list("case", checkpoint.case_text);
+  archive.one("step", checkpoint.packing.step);
+}
+
 /// The sections of a checkpoint in order, for writing and for reading.
 template <class Archive, class AnyCheckpoint>
 void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
   auto& p = checkpoint.packing;
-  archive.list("case", checkpoint.case_text);
-  archive.one("step", p.step);
+  exchange_head(archive, checkpoint);
   archive.one("time", p.time);
   archive.one("cell", p.cell);
   archive.list("species", p.species);
@@ -185,6 +191,13 @@ bool is_checkpoint(const std::filesystem::path& path) {
 void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);
   exchange(saver, checkpoint);
+}
+
+std::int64_t checkpoint_step(const std::filesystem::path& path) {
+  Checkpoint head;
+  Loader loader(path);
+  exchange_head(loader, head);
+  return head.packing.step;
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {

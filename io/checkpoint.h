@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -33,6 +34,9 @@ bool is_checkpoint(const std::filesystem::path& path);
 
 /// Writes a checkpoint, complete or not at all; every bit of the packing is kept. Throws OutputError.
 void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path);
+
+/// The step at which a checkpoint was saved, from its first bytes; throws InputError if those are damaged.
+std::int64_t checkpoint_step(const std::filesystem::path& path);
 
 /// Reads a checkpoint; throws InputError that names the file and the section if it is damaged in any bit, or
 /// if what it holds is no packing.

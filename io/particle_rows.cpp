@@ -12,12 +12,6 @@
 namespace furnas {
 namespace {
 
-bool finite(const Vec3<double>& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-bool finite(const Triangle& h) {
-  return finite(Vec3<double>{h.xx, h.yy, h.zz}) && finite(Vec3<double>{h.yz, h.xz, h.xy});
-}
-
 bool above_zero(double value) { return std::isfinite(value) && value > 0; }
 
 bool spans_a_cell(const Triangle& h) {

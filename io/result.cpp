@@ -40,8 +40,9 @@ Json reached(const Result& r) {
   return all;
 }
 
-const char* balance(const Result& r) {
-  if (r.verdict != Verdict::jammed) return nullptr;
+/// Which limit of the balance of forces was kept; the paper's criterion asks for none.
+const char* balance(const Result& r, const Case& c) {
+  if (r.verdict != Verdict::jammed || c.stop.criterion == "paper") return nullptr;
   return r.rest.loosely ? "loose" : "tight";
 }
 
@@ -75,12 +76,14 @@ std::optional<double> Result::phi_J() const {
 void write_result(const Result& r, const Case& c, const std::filesystem::path& path) {
   const Measures& m = r.measures;
   const auto phi_j = r.phi_J();
-  const char* const found_balance = balance(r);
+  const char* const found_balance = balance(r, c);
   const auto& s = m.stress;
   const auto& backbone = m.backbone();
   Json json = {
       {"verdict", to_string(r.verdict)},
       {"reason", r.reason},
+      {"criterion", c.stop.criterion},
+      {"version", r.version},
       {"phi_J", phi_j ? Json(*phi_j) : Json(nullptr)},
       {"phi", number(m.phi)},
       {"state_hash", fmt::format("{:016x}", r.state_hash)},

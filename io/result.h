@@ -16,6 +16,7 @@ namespace furnas {
 struct Result {
   Verdict verdict = Verdict::budget;
   std::string reason;                 ///< why it ended so, in a sentence
+  std::string version;                ///< of furnas: another may give other bits
   Measures measures;                  ///< at the end
   RestReport rest;                    ///< how the criteria stood at the end
   std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest

@@ -4,9 +4,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "engine/base/require.h"
+#include "engine/state/packing.h"
 
 namespace furnas {
 namespace {
@@ -108,8 +108,10 @@ std::size_t TextReader::particle_count(std::string_view word, std::size_t least_
   const std::int64_t count = integer(word, "the number of particles");
   if (count < 1) fail(fmt::format("the number of particles is {}; at least 1 is needed", count));
   const auto value = static_cast<std::uint64_t>(count);
-  if (value > std::numeric_limits<std::uint32_t>::max() || value > size_ / least_bytes)
+  if (value > size_ / least_bytes)
     fail(fmt::format("the number of particles is {}; a file of {} bytes cannot hold them", value, size_));
+  if (count > most_particles)
+    fail(fmt::format("the number of particles is {}; at most {} can be numbered", count, most_particles));
   return value;
 }
 

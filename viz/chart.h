@@ -60,7 +60,7 @@ struct Chart {
 /// disorder.
 Pixels render(const Chart& chart);
 
-/// render, to a PNG file; throws InputError also when the file cannot be written.
+/// render, to a PNG file; throws OutputError when the file cannot be written.
 void render_png(const Chart& chart, const std::filesystem::path& path);
 
 /// The same picture as lines and text that can be edited; throws OutputError when it cannot be written.

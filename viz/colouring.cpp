@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "engine/analysis/contacts.h"
 #include "engine/analysis/rattlers.h"
+#include "engine/base/sphere.h"
 #include "viz/palette.h"
 
 namespace furnas {
@@ -58,14 +59,14 @@ Coloured by_pressure(const Packing& packing) {
   std::vector<double> pressure(packing.size());
   double virial = 0, volume = 0;
   for (const Contact& c : packing.contacts) {
-    const double normal = dot(c.force, c.branch) / norm(c.branch);
+    const double normal = normal_force(c);
     for (const std::uint32_t k : {c.i, c.j}) {
       virial += normal * packing.radius[k];
       pressure[k] += normal * packing.radius[k];
     }
   }
   for (std::size_t k = 0; k < packing.size(); ++k) {
-    const double own = 4 * std::numbers::pi / 3 * std::pow(packing.radius[k], 3);
+    const double own = sphere_volume(packing.radius[k]);
     pressure[k] /= own;
     volume += own;
   }

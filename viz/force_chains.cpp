@@ -16,12 +16,11 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/analysis/contacts.h"
 #include "viz/colouring.h"
 
 namespace furnas {
 namespace {
-
-double normal_force(const Contact& c) { return dot(c.force, c.branch) / norm(c.branch); }
 
 /// Lines with a thickness and a colour at each end.
 struct Lines {

@@ -10,7 +10,7 @@ namespace furnas {
 
 /// The contacts as tubes from centre to centre, the thicker and brighter (graded, viz/colouring.h) the larger
 /// their normal force. The scale is logarithmic, because forces grow with the square of the size: from a
-/// thousandth of `strongest`, below which nothing is drawn, to `strongest` and more [k_n d_s]. A contact
+/// hundredth of `strongest`, below which nothing is drawn, to `strongest` and more [k_n d_s]. A contact
 /// across a face of the cell shows its two halves, each at its own particle.
 vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest);
 

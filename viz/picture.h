@@ -40,7 +40,7 @@ struct PictureOptions {
 /// contacts.
 Pixels render(const Packing& packing, const PictureOptions& options = {});
 
-/// render, to a PNG file; throws InputError also when the file cannot be written.
+/// render, to a PNG file; throws OutputError when the file cannot be written.
 void render_png(const Packing& packing, const std::filesystem::path& path,
                 const PictureOptions& options = {});
 

@@ -6,12 +6,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <string>
 
-#include "engine/base/require.h"
+#include "io/atomic_file.h"
 
 namespace furnas {
 namespace {
@@ -35,26 +31,8 @@ void write_png(const Pixels& pixels, const std::filesystem::path& path, bool opa
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray& bytes = *writer->GetResult();
-
-  std::filesystem::path beside = path;
-  beside += ".part";
-  const auto fail = [&] {
-    const std::string reason = std::strerror(errno);
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    throw InputError("cannot write " + path.string() + ": " + reason);
-  };
-  std::ofstream file(beside, std::ios::binary);
-  if (!file) fail();
-  file.write(reinterpret_cast<const char*>(bytes.GetPointer(0)), bytes.GetNumberOfValues());
-  file.close();
-  if (!file) fail();
-  std::error_code error;
-  std::filesystem::rename(beside, path, error);
-  if (error) {
-    errno = error.value();
-    fail();
-  }
+  write_file(path, {reinterpret_cast<const char*>(bytes.GetPointer(0)),
+                    static_cast<std::size_t>(bytes.GetNumberOfValues())});
 }
 
 }  // namespace furnas

@@ -12,7 +12,7 @@ struct Pixels {
   std::vector<std::uint8_t> rgba;  ///< 4 width height bytes
 };
 
-/// Writes a PNG file, with opacity or opaque. The file appears whole or not at all; throws InputError
+/// Writes a PNG file, with opacity or opaque. The file appears whole or not at all; throws OutputError
 /// when it cannot be written.
 void write_png(const Pixels& pixels, const std::filesystem::path& path, bool opacity);
 

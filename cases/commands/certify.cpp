@@ -32,7 +32,6 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   terms.freedom = model_of(c, source.packing).barostat.freedom;
   terms.pressure =
       c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1));
-  terms.least_contacts = backbone_threshold_of(c);
   const RestCriteria rest = rest_criteria_of(c);
   terms.tight_imbalance = rest.force_imbalance;
   terms.imbalance = options.force_imbalance.value_or(std::max(rest.force_imbalance, rest.loose_imbalance));

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cases/build_info.h"
+#include "cases/preflight.h"
 #include "cases/recording.h"
 #include "cases/scenario.h"
 #include "engine/base/require.h"
@@ -44,22 +46,22 @@ std::string value_in(const Case& c, const std::string& key) {
   return value;
 }
 
+/// Sets a key to its default.
+void forget(const Key& key, Case& c) {
+  Case defaults;
+  std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
+}
+
 /// The case without what changes no bit of its steps.
 std::string identity(Case c) {
-  const Case defaults;
-  c.compute.threads = defaults.compute.threads;
-  c.output.checkpoint_minutes = defaults.output.checkpoint_minutes;
-  c.stop.steps = defaults.stop.steps;
+  for (const Key& key : case_keys())
+    if (changes_no_bit(key)) forget(key, c);
   return resolved_toml(c);
 }
 
 /// The same without what tells samples of a sweep apart.
 std::string common_identity(Case c, const std::vector<std::string>& keys) {
-  Case defaults;
-  for (const std::string& path : keys) {
-    const Key& key = *find_key(path.substr(0, path.find('.')), name_in(path));
-    std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
-  }
+  for (const std::string& path : keys) forget(*find_key(path.substr(0, path.find('.')), name_in(path)), c);
   c.mixture.seed = 0;
   return identity(c);
 }
@@ -175,6 +177,8 @@ std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std:
   return added;
 }
 
+double Sample::memory() const { return expected_memory(particles, resolved_case); }
+
 SampleState state_of(const Sample& sample) {
   const fs::path resolved = sample.folder / "case.resolved.toml";
   if (!fs::exists(resolved)) return SampleState::missing;
@@ -186,6 +190,12 @@ SampleState state_of(const Sample& sample) {
   std::ifstream file(sample.folder / "result.json");
   const auto result = nlohmann::json::parse(file, nullptr, false);
   if (result.is_object()) {
+    const std::string version = result.value("version", "an older version");
+    if (version != build_info().version)
+      throw InputError(fmt::format(
+          "{} was made by furnas {} and this is {}, whose samples may have other bits; allowed: go on with "
+          "that one, remove it, or take another --out",
+          sample.folder.string(), version, build_info().version));
     const std::string verdict = result.value("verdict", "");
     const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
     if (verdict == "jammed" || verdict == "diverged" || (verdict == "budget" && all_steps))

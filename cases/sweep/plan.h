@@ -9,9 +9,6 @@
 
 namespace furnas {
 
-/// Particle-steps a second that one core makes of the packings of a sweep (docs/performance.md).
-inline constexpr double pace_of_a_core = 2e7;
-
 /// How far a sample has come.
 enum class SampleState {
   missing,      ///< there is nothing of it
@@ -28,6 +25,7 @@ struct Sample {
   double steps{};                   ///< that it may take; a guess
 
   double cost() const { return particles * steps; }  ///< [particle-steps]
+  double memory() const;                             ///< that it needs at its peak [bytes]
 
   /// Beside the folder: what the process of the run printed.
   std::filesystem::path log() const { return folder.string() + ".log"; }

@@ -12,6 +12,8 @@
 
 #include "cases/exit_code.h"
 #include "cases/folder_lock.h"
+#include "cases/memory_limit.h"
+#include "cases/preflight.h"
 #include "cases/sweep/child.h"
 #include "engine/simulation.h"
 #include "io/atomic_file.h"
@@ -89,17 +91,19 @@ class Pool {
   /// for ever if they went first.
   void start_some() {
     int free = jobs_;
-    for (const Running& r : running_) free -= r.threads;
+    double memory = memory_;
+    for (const Running& r : running_) free -= r.threads, memory -= r.sample->memory();
     for (auto next = waiting_.begin(); next != waiting_.end();) {
       const Sample& sample = **next;
       const int threads = threads_of(sample);
-      if (threads > free) return;
+      // One that is too large for the machine is refused when it runs alone, by itself.
+      if (threads > free || (sample.memory() > memory && !running_.empty())) return;
       if (is_in_use(sample.folder)) {
         ++next;
         continue;
       }
       running_.push_back({&sample, start(sample, threads), threads});
-      free -= threads;
+      free -= threads, memory -= sample.memory();
       next = waiting_.erase(next);
     }
   }
@@ -146,6 +150,7 @@ class Pool {
   }
 
   int jobs_;
+  const double memory_ = memory_limit().bytes;
   std::list<const Sample*> waiting_;
   std::list<Running> running_;
   SweepStanding standing_;

@@ -11,8 +11,6 @@
 namespace furnas {
 namespace {
 
-bool finite(const Vec3<double>& v) { return std::isfinite(v.x + v.y + v.z); }
-bool finite(const Triangle& t) { return std::isfinite(t.xx + t.yy + t.zz + t.yz + t.xz + t.xy); }
 bool finite(const Ledger& l) {
   return std::isfinite(l.initial + l.cell_work + l.losses.total() + l.quenched + l.last.losses.total()) &&
          finite(l.last.push);

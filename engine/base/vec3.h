@@ -4,7 +4,7 @@
 
 namespace furnas {
 
-/// Three components of a vector. `R` is a real number, or later a lane of them.
+/// Three components of a vector. `R` is a real number, or lanes of them.
 template <class R>
 struct Vec3 {
   R x{}, y{}, z{};
@@ -35,6 +35,11 @@ template <class R>
 R norm(const Vec3<R>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));
+}
+
+/// Whether all components are numbers.
+inline bool finite(const Vec3<double>& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
 }  // namespace furnas

@@ -23,6 +23,11 @@ CoreRule core_rule(const Springs& springs) {
   return {.force_share = 0, .least_contacts = springs.friction > 0 ? 2 : 4, .by_constraints = true};
 }
 
+Balance balance_of(const Part& part, const Imbalance& found, const CertificateTerms& terms) {
+  if (!part.passed()) return Balance::off;
+  return found.mean_force <= terms.tight_imbalance ? Balance::tight : Balance::loose;
+}
+
 Part backbone_part(const ContactNetwork& network, const std::vector<Species>& species,
                    const Backbone& backbone) {
   const Percolation across = percolation(backbone);
@@ -48,8 +53,7 @@ Part backbone_part(const ContactNetwork& network, const std::vector<Species>& sp
   return part;
 }
 
-Part balance_part(const ContactNetwork& network, const Backbone& backbone, const CertificateTerms& terms) {
-  const Imbalance found = imbalance(network, backbone);
+Part balance_part(const Imbalance& found, const CertificateTerms& terms) {
   Part part;
   part.name = "force balance";
   part.asks = "Do the static forces and torques on every member of the backbone cancel?";
@@ -58,7 +62,7 @@ Part balance_part(const ContactNetwork& network, const Backbone& backbone, const
       at_most("largest |net force|/load of the particle", found.largest_force, terms.single_imbalance),
       at_most("mean |net torque|/(mean contact force R)", found.mean_torque, terms.imbalance),
       at_most("largest |net torque|/(load R)", found.largest_torque, terms.single_imbalance)};
-  part.note = found.mean_force <= terms.tight_imbalance ? "tight" : part.passed() ? "loose" : "";
+  if (part.passed()) part.note = to_string(balance_of(part, found, terms));
   return part;
 }
 
@@ -94,8 +98,8 @@ Part friction_part(const ContactNetwork& network, const Backbone& backbone, cons
   const FrictionState state = friction_state(network, backbone);
   Part part;
   part.name = "friction";
-  part.asks = "Does every contact push, and stay within its Coulomb cone?";
-  part.findings = {at_least("smallest F_n/mean F_n", state.least_normal, 0)};
+  part.asks = "Does every contact stay within its Coulomb cone?";
+  part.findings = {told("smallest F_n/mean F_n", state.least_normal)};
   if (!network.frictional()) {
     part.note = "Without friction there is no tangential force to judge.";
     return part;
@@ -169,9 +173,23 @@ Part moduli_part(const Moduli& moduli, CellFreedom freedom) {
 
 }  // namespace
 
+const char* to_string(Balance balance) {
+  switch (balance) {
+    case Balance::off:
+      return "off";
+    case Balance::loose:
+      return "loose";
+    case Balance::tight:
+      return "tight";
+  }
+  return "";
+}
+
 Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const ContactNetwork network = contact_network(packing, terms.springs);
-  const Backbone backbone = find_backbone(network, packing.species, core_rule(terms.springs));
+  const CoreRule rule = core_rule(terms.springs);
+  const Backbone backbone = find_backbone(network, packing.species, rule);
+  const Imbalance imbalance = furnas::imbalance(network, backbone);
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
   const Modes modes = find_modes(stiffness, terms.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);
@@ -180,19 +198,20 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   certificate.particles = std::ssize(packing.radius);
   certificate.backbone = std::ssize(backbone.particles);
   certificate.contacts = std::ssize(backbone.bonds);
+  certificate.least_contacts = rule.least_contacts;
   certificate.unlisted = network.unlisted;
   certificate.open = network.open;
   certificate.bulk_modulus = moduli.bulk;
   certificate.shear_modulus = moduli.shear;
   certificate.eigenvalues = modes.lowest;
   certificate.parts = {backbone_part(network, packing.species, backbone),
-                       balance_part(network, backbone, terms),
+                       balance_part(imbalance, terms),
                        stress_part(network, terms),
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.freedom),
                        stability_part(modes, friction_state(network, backbone).sliding),
                        moduli_part(moduli, terms.freedom)};
-  certificate.tight = certificate.parts[1].passed() && certificate.parts[1].note == "tight";
+  certificate.balance = balance_of(certificate.parts[1], imbalance, terms);
   return certificate;
 }
 

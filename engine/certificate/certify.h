@@ -16,7 +16,6 @@ struct CertificateTerms {
   Springs springs;
   CellFreedom freedom = CellFreedom::triclinic;
   double pressure = 1e-4;  ///< p_a; without meaning in a fixed cell [k_n/d_s]
-  int least_contacts = 4;  ///< z_min: with fewer contacts a particle is no part of the backbone
 
   double tight_imbalance = 1e-4;   ///< mean |net force|/mean |F| that is called tight
   double imbalance = 1e-3;         ///< the same, that is accepted
@@ -26,14 +25,20 @@ struct CertificateTerms {
   int eigenvalues = 6;             ///< shown
 };
 
+/// How closely forces balance.
+enum class Balance { off, loose, tight };
+
+const char* to_string(Balance balance);
+
 /// The answers of all parts about a packing.
 struct Certificate {
   std::int64_t particles{};
   std::int64_t backbone{};
   std::int64_t contacts{};          ///< among the backbone
+  int least_contacts{};             ///< with fewer contacts a particle is no part of the backbone
   std::int64_t unlisted{};          ///< contacts of the geometry that the packing's list does not have
   std::int64_t open{};              ///< contacts of the list whose spheres do not overlap
-  bool tight{};                     ///< the balance of forces is within the tight limit
+  Balance balance{};                ///< of forces and torques on the backbone
   double bulk_modulus{};            ///< K, not a number if it could not be had [k_n/d_s]
   double shear_modulus{};           ///< G, mean over directions [k_n/d_s]
   std::vector<double> eigenvalues;  ///< the lowest [k_n]

@@ -63,8 +63,10 @@ Modes softest_modes(const Stiffness& stiffness, const MatrixXd& strains, int cou
   if (!modes.valid) return modes;
   modes.negative = compliance.negative();
   modes.relaxed = compliance.relaxed();
-  const Index basis = std::min<Index>(compliance.rows() - 3, std::max(2 * count + 1, 40));
-  Spectra::SymEigsShiftSolver<Compliance> solver(compliance, count, basis, 0);
+  const Index largest_basis = compliance.rows() - 3;
+  const Index shown = std::min<Index>(count, largest_basis - 1);
+  const Index basis = std::min<Index>(largest_basis, std::max<Index>(2 * shown + 1, 40));
+  Spectra::SymEigsShiftSolver<Compliance> solver(compliance, shown, basis, 0);
   solver.init();
   constexpr int most_restarts = 300;
   solver.compute(Spectra::SortRule::LargestMagn, most_restarts, 1e-10, Spectra::SortRule::SmallestAlge);

@@ -1,8 +1,8 @@
 #include "engine/events/quench.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <limits>
+#include <sstream>
 
 #include "engine/analysis/energy.h"
 #include "engine/base/require.h"
@@ -24,6 +24,11 @@ bool Quench::due(Observation& now) {
   constexpr double nearly = 100;  // times the limits; the stress, which the cell follows at once, 10 times
   constexpr std::int64_t patience = 50, often = 20;
   constexpr double of_its_peak = 0.5;
+  if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
+    pressure_ = pressure;
+    count_at_pressure_ = slow_windows_ = 0;
+    peak_ = 0;
+  }
   const RestReport& r = watch_.look(now);
   const RestCriteria& c = watch_.criteria();
   const bool slow =
@@ -34,30 +39,28 @@ bool Quench::due(Observation& now) {
       r.force_imbalance < nearly * c.force_imbalance && r.strain_drift < nearly * c.strain_drift;
   const double moving = motion(now);
   peak_ = std::max(peak_, moving);
-  const bool timely = count_ < often ? window_ends : moving < of_its_peak * peak_;
+  const bool timely = count_at_pressure_ < often ? window_ends : moving < of_its_peak * peak_;
   return timely && slow && (near || slow_windows_ > patience);
 }
 
 std::string Quench::memory() {
-  std::array<char, 32> peak{};  // the shortest text that gives the same bits
-  std::to_chars(peak.data(), peak.data() + peak.size(), peak_);
-  return std::to_string(count_) + ' ' + std::to_string(slow_windows_) + ' ' + peak.data();
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << count_ << ' ' << pressure_ << ' ' << count_at_pressure_ << ' ' << slow_windows_ << ' ' << peak_;
+  return text.str();
 }
 
 void Quench::recall(const std::string& memory) {
   if (memory.empty()) return;
-  const auto first = memory.find(' '), last = memory.rfind(' ');
-  if (first == last)
-    throw InputError("a run remembers \"" + memory + "\" where it must remember three numbers");
-  count_ = recalled_count(memory.substr(0, first));
-  slow_windows_ = recalled_count(memory.substr(first + 1, last - first - 1));
-  const char* const end = memory.data() + memory.size();
-  const auto [rest, error] = std::from_chars(memory.data() + last + 1, end, peak_);
-  if (error != std::errc{} || rest != end || !(peak_ >= 0))
-    throw InputError("a run remembers \"" + memory + "\" where it must remember an energy");
+  std::istringstream text(memory);
+  text >> count_ >> pressure_ >> count_at_pressure_ >> slow_windows_ >> peak_;
+  if (!text || text.peek() != std::istringstream::traits_type::eof() || count_ < 0 || !(pressure_ >= 0) ||
+      count_at_pressure_ < 0 || slow_windows_ < 0 || !(peak_ >= 0))
+    throw InputError("a run remembers \"" + memory + "\" where it must remember five numbers from 0 on");
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {
+  // What the step has kept of the motion, its stress and half a step of its losses, acts once more.
   Packing packing = now.take_packing();
   for (std::size_t k = 0; k < packing.size(); ++k) {
     packing.ledger.quenched += kinetic_energy(packing, k);
@@ -66,7 +69,7 @@ std::optional<Verdict> Quench::fire(Observation& now) {
   packing.cell.rate = {};
   now.replace(packing);
   peak_ = 0;
-  ++count_;
+  ++count_, ++count_at_pressure_;
   return {};
 }
 

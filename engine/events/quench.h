@@ -14,7 +14,8 @@ namespace furnas {
 /// no force, only the time until they balance; docs/decisions.md has the measurement.
 ///
 /// At first it acts at each end of a window. Where that does not bring rest, something slow is on its way
-/// that each quench holds up; from then on it acts once the motion has fallen to half of its peak.
+/// that each quench holds up; from then on it acts once the motion has fallen to half of its peak. A new
+/// pressure is a new beginning.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}
@@ -32,8 +33,10 @@ class Quench final : public Event {
  private:
   RestWatch& watch_;
   std::int64_t count_ = 0;
-  double peak_ = 0;  ///< the largest kinetic energy of particles and cell since the last quench [k_n d_s^2]
+  double pressure_ = 0;  ///< of the bath when last asked; the following are since it is so [k_n/d_s]
+  std::int64_t count_at_pressure_ = 0;
   std::int64_t slow_windows_ = 0;  ///< ends of windows with all but the balance nearly there, more than not
+  double peak_ = 0;  ///< the largest kinetic energy of particles and cell since the last quench [k_n d_s^2]
 };
 
 }  // namespace furnas

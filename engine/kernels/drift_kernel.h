@@ -5,7 +5,7 @@
 
 namespace furnas::HWY_NAMESPACE {
 
-/// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDrag has prepared it.
+/// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDragStep holds it.
 template <class R>
 HWY_INLINE Vec3<R> dragged(const CellDragStep& d, const Vec3<R>& v) {
   const Vec3<R> factor{R(d.factor.x), R(d.factor.y), R(d.factor.z)};

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "engine/base/require.h"
+
 namespace furnas {
 
 #ifdef __x86_64__
@@ -40,7 +42,7 @@ InstructionSet first_choice() {
   if (wanted == nullptr) return best_set();
   for (InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512})
     if (std::string(wanted) == to_string(set)) return std::min(set, best_set());
-  return best_set();
+  throw InputError("FURNAS_SIMD = \"" + std::string(wanted) + "\"; allowed: scalar, AVX2, AVX-512");
 }
 
 std::atomic<InstructionSet>& chosen() {

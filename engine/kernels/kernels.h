@@ -104,7 +104,7 @@ enum class InstructionSet { scalar, avx2, avx512 };
 const char* to_string(InstructionSet set);
 
 /// The best set that this processor has, unless choose() or the variable FURNAS_SIMD said otherwise. The bits
-/// of a result do not depend on it.
+/// of a result do not depend on it. Throws InputError when the variable names none.
 InstructionSet instruction_set();
 
 /// Takes this set from now on; the best one that the processor has if it lacks it.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -90,10 +89,9 @@ std::int64_t small_count(const Mixture& m) {
 }
 
 Packing dilute_start(const Mixture& m) {
-  constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
-  if (m.large + small_count(m) > most)
+  if (m.large + small_count(m) > most_particles)
     throw InputError(std::to_string(m.large + small_count(m)) + " spheres are wanted; at most " +
-                     std::to_string(most) + " can be numbered");
+                     std::to_string(most_particles) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);
   const auto small = static_cast<std::size_t>(small_count(m));
   const double large_radius = 0.5 * m.size_ratio;

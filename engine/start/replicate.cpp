@@ -163,8 +163,8 @@ Packing replicate(const Packing& packing, const Times& times) {
     if (n < 1) throw InputError("times = " + std::to_string(n) + " along an edge: allowed: 1 or more");
     particles *= n;
   }
-  if (particles > std::numeric_limits<std::uint32_t>::max())
-    throw InputError("more particles than " + std::to_string(std::numeric_limits<std::uint32_t>::max()));
+  if (particles > static_cast<double>(most_particles))
+    throw InputError("more particles than " + std::to_string(most_particles));
   return Replica(packing, times).make();
 }
 

@@ -18,6 +18,11 @@ struct Triangle {
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
+/// Whether all six are numbers.
+inline bool finite(const Triangle& t) {
+  return finite(Vec3<double>{t.xx, t.yy, t.zz}) && finite(Vec3<double>{t.yz, t.xz, t.xy});
+}
+
 /// The inverse; the diagonal must not vanish.
 inline Triangle inverse(const Triangle& h) {
   Triangle g;

@@ -17,6 +17,9 @@ namespace furnas {
 /// Which of the two sizes a particle has. In a monodisperse packing all are `large`.
 enum class Species : std::uint8_t { large = 0, small = 1 };
 
+/// Particles of a packing at most: the bins of the search, two a particle, are numbered with 32 bits.
+inline constexpr std::int64_t most_particles = 2'147'483'647;
+
 /// A touch of two particles, as it stands at the end of a step.
 struct Contact {
   std::uint32_t i{}, j{};              ///< indices into the packing's arrays

@@ -10,8 +10,6 @@
 namespace furnas {
 namespace {
 
-bool finite(const Vec3<double>& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 std::string name(std::size_t k) { return "particle " + std::to_string(k + 1); }
 
 void refuse_common_centres(const Packing& p) {
@@ -32,7 +30,7 @@ void refuse_common_centres(const Packing& p) {
 void validate(const Packing& p) {
   if (p.size() == 0) throw InputError("the packing has no particles");
   const Triangle& h = p.cell.edges;
-  if (!(h.xx > 0 && h.yy > 0 && h.zz > 0) || !std::isfinite(h.xx + h.yy + h.zz + h.yz + h.xz + h.xy))
+  if (!(h.xx > 0 && h.yy > 0 && h.zz > 0) || !finite(h))
     throw InputError("the cell has no volume: its edges must be finite and positive along the diagonal");
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (!(p.radius[k] > 0) || !(p.mass[k] > 0) || !std::isfinite(p.radius[k] + p.mass[k]))

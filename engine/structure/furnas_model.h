@@ -7,7 +7,7 @@ namespace furnas {
 /// Either the large spheres form the packing and the small ones lie in its voids, or the small ones form it
 /// and the large ones are inclusions; whichever is less dense holds. The friction enters through the packing
 /// fraction of one size alone. Source: Srivastava et al., "Jamming of bidisperse frictional spheres" (arXiv
-/// 2105.00977), after C. C. Furnas, Ind. Eng. Chem. 23 (1931) 1052.
+/// 2105.00977), after C. C. Furnas, Bureau of Mines Bulletin 307 (1929).
 struct FurnasModel {
   double mono;  ///< phi_mono(mu), packing fraction of spheres of one size, in (0, 1)
 

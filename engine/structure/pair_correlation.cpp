@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
-#include "engine/search/neighbourhood.h"
+#include "engine/base/sphere.h"
+#include "engine/search/grid.h"
 
 namespace furnas {
 namespace {
@@ -19,8 +19,6 @@ double shortest_height(const Packing& p) {
   const Vec3<double> h = heights(p.cell.edges);
   return std::min({h.x, h.y, h.z});
 }
-
-double ball(double radius) { return 4 * std::numbers::pi / 3 * radius * radius * radius; }
 
 /// The particles of one species.
 struct Group {
@@ -40,7 +38,7 @@ std::array<Group, 2> groups_of(const Packing& p, double reach, double most_pairs
     group.places.push_back(p.fraction[k]);
     group.diameter += 2 * p.radius[k];
   }
-  const double partners = static_cast<double>(p.size()) * ball(reach) / p.cell.volume();
+  const double partners = static_cast<double>(p.size()) * sphere_volume(reach) / p.cell.volume();
   for (Group& group : groups) {
     if (group.size() == 0) continue;
     group.diameter /= static_cast<double>(group.size());
@@ -55,23 +53,25 @@ Counts count_distances(const Triangle& edges, const Group& from, const Group& to
                        double width, std::size_t bins) {
   // Places are rounded to 2^-53 of the cell; none may be lost to that.
   constexpr double hair = 1e-9;
-  const Bins grid = sort_into_bins(edges, (1 + hair) * reach, to.places, 0, to.size());
+  const Grid grid = make_grid(edges, (1 + hair) * reach, to.places, 0, to.size());
   constexpr std::size_t most_chunks = 64;
   const std::size_t size = from.origins() / most_chunks + 1;
   std::vector<Counts> parts((from.origins() + size - 1) / size);
   for_chunks(from.origins(), size, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     Counts& counts = parts[chunk];
     counts.resize(bins);
-    Neighbourhood neighbourhood(grid);
     for (std::size_t n = begin; n < end; ++n) {
       const std::size_t me = n * from.stride;
       const Vec3<double> here = in_unit_cell(from.places[me]);
-      neighbourhood.around(here, [&](const Binned& other, const Vec3<double>& image) {
-        if (same && other.index == me) return;
-        const double distance = norm(edges * (other.fraction + image - here));
-        const auto bin = static_cast<std::size_t>(distance / width);
-        if (bin < bins) ++counts[bin];
-      });
+      visit_ball(grid, edges, here, grid.cutoff,
+                 [&](const Placed* at, const Placed* last, const Vec3<double>& image) {
+                   for (; at < last; ++at) {
+                     if (same && at->index == me) continue;
+                     const double distance = norm(edges * (at->fraction + image - here));
+                     const auto bin = static_cast<std::size_t>(distance / width);
+                     if (bin < bins) ++counts[bin];
+                   }
+                 });
     }
   });
   Counts sum(bins);
@@ -90,7 +90,7 @@ Counts coarser(const Counts& fine, std::size_t merged) {
 /// Volume of a shell times the density of pairs from N origins to `partners` others each.
 double expected_pairs(const PairCorrelation& found, std::size_t bin, double partners, double volume) {
   return static_cast<double>(found.origins) * partners / volume *
-         (ball(found.edges[bin + 1]) - ball(found.edges[bin]));
+         (sphere_volume(found.edges[bin + 1]) - sphere_volume(found.edges[bin]));
 }
 
 void lay_edges(PairCorrelation& found, double width) {
@@ -147,8 +147,8 @@ PairCorrelation of_all(const std::array<Group, 2>& groups, const std::array<Coun
       pairs += weights[k] * count;
       variance += weights[k] * weights[k] * spreads[k] * count;
     }
-    const double expected =
-        particles * (particles - 1) / volume * (ball(found.edges[b + 1]) - ball(found.edges[b]));
+    const double expected = particles * (particles - 1) / volume *
+                            (sphere_volume(found.edges[b + 1]) - sphere_volume(found.edges[b]));
     met += pairs;
     found.g.push_back(pairs / expected);
     found.error.push_back(std::sqrt(variance) / expected);

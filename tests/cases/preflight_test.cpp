@@ -117,7 +117,7 @@ TEST(ReliablePreflight, RefusesWhatNeverComesToRest) {
 
 TEST(ReliablePreflight, RefusesWhatNobodyLivesToSee) {
   Case c;
-  c.mixture.large = 10'000'000;
+  c.mixture.large = 100'000'000;
   c.compute.threads = 1;
   c.stop.window = 1'000'000'000;
   c.stop.steps = 1'000'000'000'000;

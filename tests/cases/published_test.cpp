@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ostream>
 
+#include "cases/build_info.h"
 #include "engine/structure/statistics.h"
 #include "io/case_file.h"
 #include "tests/cases/runs.h"
@@ -22,10 +23,11 @@ struct Arm {
   int samples;
 };
 
-/// Where samples stay, so that a run of the tests that is stopped goes on where it was.
+/// Where samples of this version stay, so that a run of the tests that is stopped goes on where it was.
 fs::path samples_folder() {
   const char* folder = std::getenv("FURNAS_SAMPLES");
-  return folder != nullptr ? fs::path(folder) : fs::path(FURNAS_SOURCE_DIR) / "build/samples";
+  return (folder != nullptr ? fs::path(folder) : fs::path(FURNAS_SOURCE_DIR) / "build/samples") /
+         build_info().version;
 }
 
 /// The result of one sample; of an earlier run if that was of the very same case.

@@ -210,5 +210,19 @@ TEST(Run, NeverWritesIntoAnotherRun) {
   EXPECT_EQ(content(runs.path("a/result.json")), before);
 }
 
+// Runs go on, and samples of a sweep stand together, where the version is the same. Whoever changes a bit of
+// a run, by its steps or its events, raises the version in CMakeLists.txt and changes this line with it. The
+// exponential function of the drag is that of glibc 2.36 on x86-64, as in
+// Release.ARunInAMovingCellHasThisHash.
+TEST(Release, ItsVersionStandsForItsBits) {
+  const Runs runs;
+  const std::string smoke = FURNAS_SOURCE_DIR "/cases/smoke.toml";
+  ASSERT_EQ(furnas({"run", smoke, "--set", "output.picture=none", "--out", runs.path("smoke")}).code,
+            ExitCode::done);
+  const Json result = runs.result("smoke");
+  EXPECT_EQ(result["version"].get<std::string>() + " " + result["state_hash"].get<std::string>(),
+            "0.1.0 2dac9b8be0de00ec");
+}
+
 }  // namespace
 }  // namespace furnas

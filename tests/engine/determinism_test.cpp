@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <string>
+
 #include "engine/kernels/kernels.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/same_packing.h"
@@ -83,11 +85,15 @@ TEST_P(Determinism, TheSameBitsOnEveryInstructionSet) {
     ~Restore() { choose(before); }
   } const restore;
   const Packing expected = run(model).end;
+  std::string lacks;
   for (InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
     choose(set);
-    if (instruction_set() != set) continue;  // this processor lacks it
-    EXPECT_TRUE(test::same_packing(run(model, 2, Schedule::as_graph).end, expected)) << to_string(set);
+    if (instruction_set() == set)
+      EXPECT_TRUE(test::same_packing(run(model, 2, Schedule::as_graph).end, expected)) << to_string(set);
+    else
+      lacks += std::string(" ") + to_string(set);
   }
+  if (!lacks.empty()) GTEST_SKIP() << "compared without what this processor lacks:" << lacks;
 }
 
 TEST_P(Determinism, TheSameBitsForAnySkin) {

@@ -7,7 +7,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
-#include "engine/search/bins.h"
+#include "engine/search/grid.h"
 #include "engine/simulation.h"
 #include "engine/start/mixture.h"
 #include "engine/state/pair_list.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t beyond = std::size_t{1} << 32;  // the first number that 32 bits do not hold
 
-// The offsets of 2.6e7 spheres' rows, and their bytes, are beyond 2^32.
+// The rows of 2.6e7 spheres are some 1e8; their bytes are beyond 2^32.
 static_assert(sizeof(decltype(PairList::first)::value_type) == 8);
 static_assert(sizeof(decltype(PairList::incoming_first)::value_type) == 8);
 static_assert(std::is_same_v<decltype(std::declval<PairList>().rows()), std::size_t>);
@@ -40,13 +40,13 @@ TEST(LargeCounts, LoopsCoverThem) {
 }
 
 TEST(LargeCounts, BinsOfTheFinestGridAreTold) {
-  Bins bins;
-  bins.count = {1 << 20, 1 << 20, 1 << 20};
-  const std::int64_t last = bins.coordinate(0, 1.0);
+  Grid grid;
+  grid.count = {1 << 20, 1 << 20, 1 << 20};
+  const std::int64_t last = grid.coordinate(0, 1.0);
   EXPECT_EQ(last, (1 << 20) - 1);
-  EXPECT_EQ(bins.key(0, 0, last) + 1, bins.key(0, 1, 0));
-  EXPECT_EQ(bins.key(0, last, last) + 1, bins.key(1, 0, 0));
-  EXPECT_EQ(bins.key(last, last, last), (std::uint64_t{1} << 60) - 1);
+  EXPECT_EQ(grid.bin(last, 0, 0) + 1, grid.bin(0, 1, 0));
+  EXPECT_EQ(grid.bin(last, last, 0) + 1, grid.bin(0, 0, 1));
+  EXPECT_EQ(grid.bin(last, last, last), (std::size_t{1} << 60) - 1);
 }
 
 TEST(LargeCounts, OfAMixtureAreExact) {
@@ -61,7 +61,7 @@ TEST(LargeCounts, BeyondTheNumbersOfSpheresAreRefusedBeforeTheyAreMade) {
     dilute_start({.size_ratio = 100, .small_fraction = 0.5, .large = 5000});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("5000005000 spheres are wanted; at most 4294967294"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("5000005000 spheres are wanted; at most 2147483647"));
   }
 }
 

@@ -188,7 +188,7 @@ TEST(Chart, RefusesSeriesThatDoNotFitTogetherAndPathsThatCannotBeWritten) {
   chart.series = {{"", {1}, {1}, {1, 2}}};
   EXPECT_THROW(render(chart), ContractError);
   EXPECT_THROW(render_svg(three_series(), place("missing/chart.svg")), OutputError);
-  EXPECT_THROW(render_png(three_series(), place("missing/chart.png")), InputError);
+  EXPECT_THROW(render_png(three_series(), place("missing/chart.png")), OutputError);
 }
 
 }  // namespace

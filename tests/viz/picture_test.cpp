@@ -232,7 +232,7 @@ template <class Action>
 std::string refusal(Action action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const std::runtime_error& error) {
     return error.what();
   }
   return "";
@@ -321,7 +321,7 @@ TEST(Picture, NamesThePathThatCannotBeWritten) {
               testing::AllOf(HasSubstr(lost.string()), HasSubstr("No such file")));
   EXPECT_THAT(refusal([&] { render_png(one_sphere(), folder, options); }), HasSubstr(folder.string()));
   EXPECT_TRUE(std::filesystem::is_empty(folder));
-  EXPECT_FALSE(std::filesystem::exists(folder.string() + ".part"));
+  EXPECT_FALSE(std::filesystem::exists(folder.string() + ".tmp"));
 }
 
 }  // namespace

@@ -97,6 +97,23 @@ TEST(Statements, DisagreeWhereTheStudyDoes) {
     EXPECT_EQ(about(all, what).agreement, Agreement::not_reproduced) << what << ": " << about(all, what).ours;
 }
 
+TEST(Statements, AreNotToldFromOneSideOfTheMaximum) {
+  for (const bool left : {true, false}) {
+    SampleTable table = agreeing();
+    std::erase_if(table.rows, [left](const SampleRow& row) {
+      return row.size_ratio == 20 && (row.small_fraction < 0.28) != left;
+    });
+    EXPECT_EQ(about(statements_of(study_from(table)), "rattle below").agreement, Agreement::not_reachable);
+  }
+}
+
+TEST(Statements, TakeTheNearestPoint) {
+  SampleTable table = agreeing();
+  add(table, "20.0", "0.295", "0.3", 0.7);
+  EXPECT_EQ(about(statements_of(study_from(table)), "α = 20, μ = 0.3, f_s = 0.29").agreement,
+            Agreement::reproduced);
+}
+
 TEST(Statements, OfNothingAreNotReachable) {
   for (const Statement& s : statements_of(Study{})) {
     EXPECT_EQ(s.agreement, Agreement::not_reachable) << s.what;

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "cases/build_info.h"
 #include "engine/base/require.h"
 #include "io/case_file.h"
 #include "tests/io/packings.h"
@@ -106,17 +108,32 @@ TEST_F(Plans, ASampleIsKnownByItsCase) {
   c.compute.threads = 3;  // changes no bit
   resolve(c);
   EXPECT_EQ(state_of(sample), SampleState::missing);
-  write_file(sample.folder / "result.json", R"({"verdict": "jammed", "steps": 5})");
+  const auto end = [&](const std::string& verdict, std::int64_t steps) {
+    const nlohmann::json result{{"verdict", verdict}, {"steps", steps}, {"version", build_info().version}};
+    write_file(sample.folder / "result.json", result.dump());
+  };
+  end("jammed", 5);
   EXPECT_EQ(state_of(sample), SampleState::finished);
-  write_file(sample.folder / "result.json", R"({"verdict": "budget", "steps": 10000000})");
+  end("budget", 10'000'000);
   EXPECT_EQ(state_of(sample), SampleState::finished);
-  write_file(sample.folder / "result.json", R"({"verdict": "budget", "steps": 9999999})");
+  end("budget", 9'999'999);
   EXPECT_EQ(state_of(sample), SampleState::missing) << "its steps are not spent, but it has no checkpoint";
   write_file(sample.folder / "result.json", "damaged");
   EXPECT_EQ(state_of(sample), SampleState::missing);
   c.contact.normal_damping = 0.1;
   resolve(c);
   EXPECT_THROW(state_of(sample), InputError);
+}
+
+TEST_F(Plans, SamplesOfAnotherVersionAreRefused) {
+  const Sample sample = sample_of(Case{}, {"contact.friction"}, path(""));
+  fs::create_directories(sample.folder);
+  write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
+  for (const char* result :
+       {R"({"verdict": "jammed", "steps": 5, "version": "0.0.1"})", R"({"verdict": "jammed"})"}) {
+    write_file(sample.folder / "result.json", result);
+    EXPECT_THROW(state_of(sample), InputError) << result;
+  }
 }
 
 TEST_F(Plans, FindsWhatRefinementHasAdded) {

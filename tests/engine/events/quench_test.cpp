@@ -105,9 +105,10 @@ TEST(Quench, WaitsForThePeakWhereTwentyHaveNotBroughtRest) {
     return 0;
   };
   for (const bool resumed : {false, true}) {
-    EXPECT_EQ(first_due("19 0 0", resumed), 2) << "when the first window is full";
-    EXPECT_EQ(first_due("20 0 0", resumed), 6);
-    EXPECT_EQ(first_due("20 0 3", resumed), 2) << "it is far below its peak";
+    EXPECT_EQ(first_due("19 1e-4 19 0 0", resumed), 2) << "when the first window is full";
+    EXPECT_EQ(first_due("20 1e-4 20 0 0", resumed), 6);
+    EXPECT_EQ(first_due("20 1e-4 20 0 3", resumed), 2) << "it is far below its peak";
+    EXPECT_EQ(first_due("20 1e-5 20 0 0", resumed), 2) << "another pressure is a new beginning";
   }
 }
 
@@ -115,10 +116,10 @@ TEST(Quench, RefusesAMemoryThatIsNone) {
   RestWatch watch({});
   Quench quench(watch);
   quench.recall("");
-  quench.recall("2 3 1e-9");
-  EXPECT_EQ(quench.memory(), "2 3 1e-09");
-  for (const char* memory :
-       {"2", "2 3", "2 3 ", "2 3 x", "2 3 -1", "2 3 nan", "2 3 4 5", "-1 2 3", " ", "  "})
+  quench.recall("2 0.5 1 3 1.5e-5");
+  EXPECT_EQ(quench.memory(), "2 0.5 1 3 1.5e-05");
+  for (const char* memory : {"2", "2 0.5 1 3", "2 0.5 1 3 ", "2 0.5 1 3 x", "2 0.5 1 3 -1", "2 0.5 1 3 nan",
+                             "2 0.5 1 3 4 5", "2 0.5 1 3 4 ", "-1 0.5 1 3 4", "2 -0.5 1 3 4", " "})
     EXPECT_THROW(quench.recall(memory), InputError) << memory;
 }
 

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = FURNAS_SOURCE_DIR;
+
+/// What all files of a folder with this extension say.
+std::string all_of(const fs::path& folder, const std::string& extension) {
+  std::string text;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == extension) text += content(entry.path());
+  return text;
+}
+
+/// Calls visit(match) for each place where the pattern is found.
+template <class Visit>
+void each_match(const std::string& text, const std::regex& pattern, Visit&& visit) {
+  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) visit(*at);
+}
+
+const std::string documents = all_of(root / "docs", ".md") + content(root / "README.md");
+
+TEST(Documents, NameTestsThatExist) {
+  const std::string tests = all_of(root / "tests", ".cpp") + content(root / "cmake/kernels.cmake");
+  int found = 0;
+  each_match(documents, std::regex(R"(`([A-Z]\w*)\.([A-Z*]\w*)`)"), [&](const std::smatch& match) {
+    const std::string suite = match[1], test = match[2];
+    const std::string one = suite + ", " + test + ")", in_cmake = suite + "." + test;
+    const bool exists = test == "*" ? tests.find("(" + suite + ", ") != tests.npos
+                                    : tests.find(one) != tests.npos || tests.find(in_cmake) != tests.npos;
+    EXPECT_TRUE(exists) << match[0];
+    ++found;
+  });
+  EXPECT_GT(found, 10);
+}
+
+TEST(Documents, AreWhereTheyAreSaidToBe) {
+  std::string text = documents;
+  for (const char* room : {"engine", "io", "viz", "cases", "tests"})
+    for (const char* extension : {".h", ".cpp", ".toml"}) text += all_of(root / room, extension);
+  int found = 0;
+  each_match(text, std::regex(R"(\bdocs/([\w-]+\.(md|sh|svg|png)))"), [&](const std::smatch& match) {
+    EXPECT_TRUE(fs::exists(root / match[0].str())) << match[0];
+    ++found;
+  });
+  EXPECT_GT(found, 10);
+}
+
+}  // namespace
+}  // namespace furnas
