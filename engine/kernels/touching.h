@@ -102,12 +102,10 @@ class TouchingRows {
       fixed_[2][n] = static_cast<std::int64_t>(p.position.z - q.position.z);
       reach_[n] = static_cast<double>(p.radius) + static_cast<double>(q.radius);
     }
-    if (loop_.quarter != nullptr)
-      for (int a = 0; a < 3; ++a)
-        for (std::size_t n = 0; n < count_; ++n) quarter_[a][n] = 0.25 * loop_.quarter[row + n][a];
+    if (loop_.quarter != nullptr) std::memcpy(quarter_, loop_.quarter + row, count_ * sizeof(Quarter));
     for (std::size_t k = count_; k < count_ + lanes; ++k) {
       fixed_[0][k] = fixed_[1][k] = fixed_[2][k] = 0;
-      quarter_[0][k] = quarter_[1][k] = quarter_[2][k] = 0;
+      quarter_[k] = {};
       reach_[k] = 0;  // what fills up the lanes touches nothing: 0 < 0 is false
     }
   }
@@ -119,9 +117,10 @@ class TouchingRows {
     while (loop_.first[i + 1] <= next) ++i;
     while (true) {
       const std::uint64_t end = loop_.first[i + 1] < stop ? loop_.first[i + 1] : stop;
+      const auto owner = hn::Set(Tag<std::uint64_t>(), 8 * i);
       do {
-        std::uint64_t* to = i_ + (next - row);
-        for (int k = 0; k < 8; ++k) to[k] = 8 * i;
+        for (std::size_t k = 0; k < 8; k += lanes)
+          hn::StoreU(owner, Tag<std::uint64_t>(), i_ + (next - row) + k);
         next += 8;
       } while (next < end);
       next = end;
@@ -131,11 +130,17 @@ class TouchingRows {
   }
 
   /// s_i - s_j along an axis, of the image that is meant.
-  HWY_INLINE D difference(int axis, std::size_t n) const {
+  template <int axis>
+  HWY_INLINE D difference(std::size_t n) const {
     const D d(hn::Mul(hn::ConvertTo(Tag<double>(), hn::LoadU(Tag<std::int64_t>(), fixed_[axis] + n)),
                       hn::Set(Tag<double>(), 1 / two_to_64)));
     if (loop_.quarter == nullptr) return d;
-    return d + D(hn::Round((D::from(quarter_[axis] + n) - d).v));
+    // The four bytes of a quarter as one number; shifts leave the one of the axis, with its sign.
+    const hn::Rebind<std::int32_t, Tag<double>> words;
+    const auto all = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(quarter_ + n));
+    const auto one = hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * axis>(all));
+    const D quarter = D(0.25) * D(hn::PromoteTo(Tag<double>(), one));
+    return d + D(hn::Round((quarter - d).v));
   }
 
   /// Branches, and which of them are shorter than the reach: those, close together.
@@ -144,9 +149,9 @@ class TouchingRows {
     const D xx(h.xx), yy(h.yy), zz(h.zz), yz(h.yz), xz(h.xz), xy(h.xy);
     touching_ = 0;
     for (std::size_t n = 0; n < count_; n += lanes) {
-      const D sx = difference(0, n);
-      const D sy = difference(1, n);
-      const D sz = difference(2, n);
+      const D sx = difference<0>(n);
+      const D sy = difference<1>(n);
+      const D sz = difference<2>(n);
       const D x = xx * sx + xy * sy + xz * sz;
       const D y = yy * sy + yz * sz;
       const D z = zz * sz;
@@ -214,7 +219,7 @@ class TouchingRows {
     double s[3];
     for (int a = 0; a < 3; ++a) {
       s[a] = static_cast<double>(fixed_[a][n]) * (1 / two_to_64);
-      if (loop_.quarter != nullptr) s[a] += std::nearbyint(quarter_[a][n] - s[a]);
+      if (loop_.quarter != nullptr) s[a] += std::nearbyint(0.25 * quarter_[n][a] - s[a]);
     }
     const Triangle& h = loop_.edges;
     return {h.xx * s[0] + h.xy * s[1] + h.xz * s[2], h.yy * s[1] + h.yz * s[2], h.zz * s[2]};
@@ -254,7 +259,7 @@ class TouchingRows {
   std::size_t count_ = 0;                                             ///< candidates of the block
   std::size_t touching_ = 0;                                          ///< of them
   std::int64_t fixed_[3][block + margin];                             ///< s_i - s_j [2^-64]
-  double quarter_[3][block + margin];                                 ///< of the image [cell]
+  alignas(4) Quarter quarter_[block + margin];                        ///< of the image
   double reach_[block + margin];                                      ///< R_i + R_j [d_s]
   std::uint64_t i_[block + margin], j_[block + margin];               ///< particles, times 8
   std::uint8_t bits_[block / lanes + 8];                              ///< which lanes touch

@@ -19,8 +19,9 @@ struct Skin {
 };
 
 /// Which image of the partner a row means, as the nearest multiple of a quarter cell to s_i - s_j when
-/// the list was built. Unlike a whole number it stays right when the difference passes half a cell.
-using Quarter = std::array<std::int8_t, 3>;
+/// the list was built. Unlike a whole number it stays right when the difference passes half a cell. The
+/// fourth is 0 and makes it a word that lanes can load.
+using Quarter = std::array<std::int8_t, 4>;
 
 /// A size class: particles [first, last) whose radii differ little, searched on one grid.
 struct SizeClass {

@@ -30,7 +30,7 @@ fs::path samples_folder() {
          build_info().version;
 }
 
-/// The result of one sample; of an earlier run if that was of the very same case.
+/// The result of one sample; of an earlier run if that was of the very same case and went to its end.
 Json sample(const Arm& arm, int seed) {
   const fs::path file = fs::path(FURNAS_SOURCE_DIR) / "cases" / (arm.template_case + ".toml");
   const fs::path folder = samples_folder() / arm.name / std::to_string(seed);
@@ -38,11 +38,12 @@ Json sample(const Arm& arm, int seed) {
   set.push_back(fmt::format("mixture.seed={}", seed));
   set.push_back("compute.threads=1");
   const std::string wanted = resolved_toml(read_case(file, set));
-  const auto same_case = [&] {
+  const auto finished = [&] {
     return fs::exists(folder / "result.json") &&
+           Json::parse(content(folder / "result.json"))["verdict"] != "interrupted" &&
            resolved_toml(read_case(folder / "case.resolved.toml", {})) == wanted;
   };
-  if (!same_case()) {
+  if (!finished()) {
     fs::remove_all(folder);
     fs::create_directories(folder.parent_path());
     std::vector<std::string> arguments{"run", file.string(), "--out", folder.string()};
