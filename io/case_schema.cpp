@@ -50,7 +50,8 @@ std::vector<Key> mixture_and_start() {
             "chooses the random start; the same seed gives the same bits",
             [](Case& c) -> Field { return &c.mixture.seed; }),
       plain("start", "file", "", std::monostate{},
-            "start from this packing instead of [mixture]: a checkpoint, VTP, extended XYZ, LAMMPS data or dump",
+            "start from this packing instead of [mixture]: a checkpoint, VTP, extended XYZ, LAMMPS data or "
+            "dump",
             [](Case& c) -> Field { return &c.start.file; }),
   };
 }
