@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
@@ -10,17 +9,14 @@
 namespace furnas {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// JSON knows no infinity.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
 
 const char* word(Proves proves) {
   return proves == Proves::necessary ? "necessary only" : "sufficient to first order";
 }
 
 Json json_of(const Finding& f) {
-  Json json = {{"name", f.name}, {"value", number(f.value)}};
+  Json json = {{"name", f.name}, {"value", f.value}};
   if (f.bound == Finding::Bound::none) return json;
   json[f.bound == Finding::Bound::at_most ? "at_most" : "at_least"] = f.limit;
   json["holds"] = f.holds();
@@ -46,7 +42,7 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
   for (const Part& part : c.parts)
     if (!part.passed()) failed.push_back(part.name);
   Json eigenvalues = Json::array();
-  for (const double x : c.eigenvalues) eigenvalues.push_back(number(x));
+  for (const double x : c.eigenvalues) eigenvalues.push_back(x);
   return {{"of", of},
           {"passed", c.passed()},
           {"failed", failed},
@@ -59,8 +55,8 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
           {"applied_pressure", terms.pressure},
           {"friction", terms.springs.friction},
           {"least_contacts", c.least_contacts},
-          {"bulk_modulus", number(c.bulk_modulus)},
-          {"shear_modulus", number(c.shear_modulus)},
+          {"bulk_modulus", c.bulk_modulus},
+          {"shear_modulus", c.shear_modulus},
           {"eigenvalues", eigenvalues},
           {"parts", parts}};
 }

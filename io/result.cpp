@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
@@ -10,10 +9,7 @@
 namespace furnas {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// JSON knows no infinity.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
 
 Json rattlers(const Result& r) {
   Json all = Json::array();
@@ -49,17 +45,17 @@ const char* balance(const Result& r, const Case& c) {
 /// The balance of the energy: `relative_gap` is what it misses, over what went through.
 Json energy(const Measures& m) {
   const Ledger& l = m.ledger;
-  return {{"kinetic", number(m.energy.kinetic)},
-          {"normal", number(m.energy.normal)},
-          {"tangential", number(m.energy.tangential)},
-          {"initial", number(l.initial)},
-          {"cell_work", number(l.cell_work)},
-          {"normal_damping", number(l.losses.normal_damping)},
-          {"tangential_damping", number(l.losses.tangential_damping)},
-          {"sliding", number(l.losses.sliding)},
-          {"opening", number(l.losses.opening)},
-          {"quenched", number(l.quenched)},
-          {"relative_gap", number(l.relative_gap(m.energy.total()))}};
+  return {{"kinetic", m.energy.kinetic},
+          {"normal", m.energy.normal},
+          {"tangential", m.energy.tangential},
+          {"initial", l.initial},
+          {"cell_work", l.cell_work},
+          {"normal_damping", l.losses.normal_damping},
+          {"tangential_damping", l.losses.tangential_damping},
+          {"sliding", l.losses.sliding},
+          {"opening", l.losses.opening},
+          {"quenched", l.quenched},
+          {"relative_gap", l.relative_gap(m.energy.total())}};
 }
 
 Json cell(const Triangle& h) {
@@ -85,24 +81,18 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"criterion", c.stop.criterion},
       {"version", r.version},
       {"phi_J", phi_j ? Json(*phi_j) : Json(nullptr)},
-      {"phi", number(m.phi)},
+      {"phi", m.phi},
       {"state_hash", fmt::format("{:016x}", r.state_hash)},
       {"force_balance", found_balance ? Json(found_balance) : Json(nullptr)},
-      {"force_imbalance", backbone.backbone > 0 ? number(m.force_imbalance) : Json(nullptr)},
-      {"stress_error", number(r.rest.stress_error)},
-      {"strain_drift_per_1e5_steps", number(r.rest.strain_drift)},
-      {"kinetic_energy_per_particle", number(m.kinetic_energy)},
+      {"force_imbalance", backbone.backbone > 0 ? Json(m.force_imbalance) : Json(nullptr)},
+      {"stress_error", r.rest.stress_error},
+      {"strain_drift_per_1e5_steps", r.rest.strain_drift},
+      {"kinetic_energy_per_particle", m.kinetic_energy},
       {"backbone_kinetic_energy_per_particle",
-       backbone.backbone > 0 ? number(m.backbone_kinetic_energy) : Json(nullptr)},
-      {"pressure", number(m.pressure)},
+       backbone.backbone > 0 ? Json(m.backbone_kinetic_energy) : Json(nullptr)},
+      {"pressure", m.pressure},
       {"applied_pressure", c.compaction.cell == "fixed" ? Json(nullptr) : Json(r.pressure)},
-      {"stress",
-       {{"xx", number(s[0])},
-        {"yy", number(s[1])},
-        {"zz", number(s[2])},
-        {"xy", number(s[3])},
-        {"xz", number(s[4])},
-        {"yz", number(s[5])}}},
+      {"stress", {{"xx", s[0]}, {"yy", s[1]}, {"zz", s[2]}, {"xy", s[3]}, {"xz", s[4]}, {"yz", s[5]}}},
       {"Z", m.coordination},
       {"Z_backbone", backbone.coordination},
       {"contacts", m.contacts},
@@ -111,8 +101,8 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"quenches", r.quenches},
       {"energy", energy(m)},
       {"sliding_share", m.sliding_share},
-      {"largest_overlap", number(m.largest_overlap)},
-      {"mean_force", number(m.mean_force)},
+      {"largest_overlap", m.largest_overlap},
+      {"mean_force", m.mean_force},
       {"resting_states", reached(r)},
       {"particles", r.large + r.small},
       {"large", r.large},
