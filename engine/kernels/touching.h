@@ -102,10 +102,11 @@ class TouchingRows {
       fixed_[2][n] = static_cast<std::int64_t>(p.position.z - q.position.z);
       reach_[n] = static_cast<double>(p.radius) + static_cast<double>(q.radius);
     }
+    static_assert(sizeof(Quarter) == sizeof(quarter_[0]));
     if (loop_.quarter != nullptr) std::memcpy(quarter_, loop_.quarter + row, count_ * sizeof(Quarter));
     for (std::size_t k = count_; k < count_ + lanes; ++k) {
       fixed_[0][k] = fixed_[1][k] = fixed_[2][k] = 0;
-      quarter_[k] = {};
+      quarter_[k] = 0;
       reach_[k] = 0;  // what fills up the lanes touches nothing: 0 < 0 is false
     }
   }
@@ -137,7 +138,7 @@ class TouchingRows {
     if (loop_.quarter == nullptr) return d;
     // The four bytes of a quarter as one number; shifts leave the one of the axis, with its sign.
     const hn::Rebind<std::int32_t, Tag<double>> words;
-    const auto all = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(quarter_ + n));
+    const auto all = hn::LoadU(words, quarter_ + n);
     const auto one = hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * axis>(all));
     const D quarter = D(0.25) * D(hn::PromoteTo(Tag<double>(), one));
     return d + D(hn::Round((quarter - d).v));
@@ -223,7 +224,8 @@ class TouchingRows {
     double s[3];
     for (int a = 0; a < 3; ++a) {
       s[a] = static_cast<double>(fixed_[a][n]) * (1 / two_to_64);
-      if (loop_.quarter != nullptr) s[a] += std::nearbyint(0.25 * quarter_[n][a] - s[a]);
+      if (loop_.quarter != nullptr)
+        s[a] += std::nearbyint(0.25 * static_cast<std::int8_t>(quarter_[n] >> 8 * a) - s[a]);
     }
     const Triangle& h = loop_.edges;
     return {h.xx * s[0] + h.xy * s[1] + h.xz * s[2], h.yy * s[1] + h.yz * s[2], h.zz * s[2]};
@@ -263,7 +265,7 @@ class TouchingRows {
   std::size_t count_ = 0;                                             ///< candidates of the block
   std::size_t touching_ = 0;                                          ///< of them
   std::int64_t fixed_[3][block + margin];                             ///< s_i - s_j [2^-64]
-  alignas(4) Quarter quarter_[block + margin];                        ///< of the image
+  std::int32_t quarter_[block + margin];                              ///< of the image, as bytes
   double reach_[block + margin];                                      ///< R_i + R_j [d_s]
   std::uint64_t i_[block + margin], j_[block + margin];               ///< particles, times 8
   std::uint8_t bits_[block / lanes + 8];                              ///< which lanes touch
