@@ -23,11 +23,6 @@ CoreRule core_rule(const Springs& springs) {
   return {.force_share = 0, .least_contacts = springs.friction > 0 ? 2 : 4, .by_constraints = true};
 }
 
-Balance balance_of(const Part& part, const Imbalance& found, const CertificateTerms& terms) {
-  if (!part.passed()) return Balance::off;
-  return found.mean_force <= terms.tight_imbalance ? Balance::tight : Balance::loose;
-}
-
 Part backbone_part(const ContactNetwork& network, const std::vector<Species>& species,
                    const Backbone& backbone) {
   const Percolation across = percolation(backbone);
@@ -53,7 +48,10 @@ Part backbone_part(const ContactNetwork& network, const std::vector<Species>& sp
   return part;
 }
 
-Part balance_part(const Imbalance& found, const CertificateTerms& terms) {
+/// Says how closely they balance in `balance`, too.
+Part balance_part(const ContactNetwork& network, const Backbone& backbone, const CertificateTerms& terms,
+                  Balance& balance) {
+  const Imbalance found = imbalance(network, backbone);
   Part part;
   part.name = "force balance";
   part.asks = "Do the static forces and torques on every member of the backbone cancel?";
@@ -62,7 +60,10 @@ Part balance_part(const Imbalance& found, const CertificateTerms& terms) {
       at_most("largest |net force|/load of the particle", found.largest_force, terms.single_imbalance),
       at_most("mean |net torque|/(mean contact force R)", found.mean_torque, terms.imbalance),
       at_most("largest |net torque|/(load R)", found.largest_torque, terms.single_imbalance)};
-  if (part.passed()) part.note = to_string(balance_of(part, found, terms));
+  if (part.passed()) {
+    balance = found.mean_force <= terms.tight_imbalance ? Balance::tight : Balance::loose;
+    part.note = to_string(balance);
+  }
   return part;
 }
 
@@ -189,7 +190,6 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const ContactNetwork network = contact_network(packing, terms.springs);
   const CoreRule rule = core_rule(terms.springs);
   const Backbone backbone = find_backbone(network, packing.species, rule);
-  const Imbalance imbalance = furnas::imbalance(network, backbone);
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
   const Modes modes = find_modes(stiffness, terms.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);
@@ -205,13 +205,12 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   certificate.shear_modulus = moduli.shear;
   certificate.eigenvalues = modes.lowest;
   certificate.parts = {backbone_part(network, packing.species, backbone),
-                       balance_part(imbalance, terms),
+                       balance_part(network, backbone, terms, certificate.balance),
                        stress_part(network, terms),
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.freedom),
                        stability_part(modes, friction_state(network, backbone).sliding),
                        moduli_part(moduli, terms.freedom)};
-  certificate.balance = balance_of(certificate.parts[1], imbalance, terms);
   return certificate;
 }
 

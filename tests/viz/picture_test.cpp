@@ -14,6 +14,7 @@
 #include <string>
 
 #include "engine/base/require.h"
+#include "io/atomic_file.h"
 #include "viz/scene.h"
 #include "viz/spheres.h"
 
@@ -228,11 +229,11 @@ TEST(Picture, AmbientOcclusionDarkensGapsButNotALoneSphere) {
   EXPECT_NEAR(ratio(one_sphere()), 1, 0.03);
 }
 
-template <class Action>
+template <class Error = InputError, class Action>
 std::string refusal(Action action) {
   try {
     action();
-  } catch (const std::runtime_error& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";
@@ -317,9 +318,10 @@ TEST(Picture, NamesThePathThatCannotBeWritten) {
   const auto folder = fresh_folder();
   const PictureOptions options{.width = 20, .height = 20};
   const auto lost = folder / "missing" / "packing.png";
-  EXPECT_THAT(refusal([&] { render_png(one_sphere(), lost, options); }),
+  EXPECT_THAT(refusal<OutputError>([&] { render_png(one_sphere(), lost, options); }),
               testing::AllOf(HasSubstr(lost.string()), HasSubstr("No such file")));
-  EXPECT_THAT(refusal([&] { render_png(one_sphere(), folder, options); }), HasSubstr(folder.string()));
+  EXPECT_THAT(refusal<OutputError>([&] { render_png(one_sphere(), folder, options); }),
+              HasSubstr(folder.string()));
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   EXPECT_FALSE(std::filesystem::exists(folder.string() + ".tmp"));
 }
