@@ -19,8 +19,8 @@ struct SweepStanding {
 
 /// Runs what is not finished of the samples, the longest first, `jobs` threads together: one for each sample,
 /// more for those that would last longer than a fair share of all; and no more side by side than there is
-/// memory for. Each is a process of its own, so that one that crashes stops no other. Stops early, with all of
-/// them saved, when `requests` asks for it, or when `tell`, which is called now and then, throws; answers
+/// memory for. Each is a process of its own, so that one that crashes stops no other. Stops early, with all
+/// of them saved, when `requests` asks for it, or when `tell`, which is called now and then, throws; answers
 /// whether it went to the end.
 bool run_samples(const std::vector<Sample>& samples, int jobs, Requests& requests,
                  const std::function<void(const SweepStanding&)>& tell);
