@@ -83,6 +83,6 @@ RestCriteria rest_criteria_of(const Case& c) {
   return rest;
 }
 
-int backbone_threshold_of(const Case& c) { return c.contact.friction == 0 ? 4 : 3; }
+int backbone_threshold_of(const Case& c) { return c.contact.friction == 0 ? 4 : 2; }
 
 }  // namespace furnas

@@ -192,7 +192,7 @@ Statement rattlers(const Study& study) {
     const Curve* curve = study.curve(largest, mu);
     const auto model = study.model(mu);
     if (curve == nullptr || !model) continue;
-    const std::size_t threshold = mu > 0 ? 1 : 2;  // of z_min 2, 3, 4
+    const std::size_t threshold = mu > 0 ? 0 : 1;  // of z_min 2, 3, 4: those of the study
     Shares left, right;
     for (const Point& p : curve->points) {
       const auto& share = p.small_rattlers[threshold];

@@ -221,7 +221,7 @@ TEST(Release, ItsVersionStandsForItsBits) {
             ExitCode::done);
   const Json result = runs.result("smoke");
   EXPECT_EQ(result["version"].get<std::string>() + " " + result["state_hash"].get<std::string>(),
-            "0.1.0 2dac9b8be0de00ec");
+            "0.2.0 2dac9b8be0de00ec");
 }
 
 }  // namespace

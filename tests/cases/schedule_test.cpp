@@ -72,7 +72,7 @@ TEST(Scenario, TheLawFollowsFromNameAndFriction) {
   c.mixture.large = 2;
   const Packing packing = start_of(c);
   EXPECT_TRUE(std::holds_alternative<HookeSynchronized>(model_of(c, packing).law));
-  EXPECT_EQ(backbone_threshold_of(c), 3);
+  EXPECT_EQ(backbone_threshold_of(c), 2);
   c.contact.law = "hooke_history";
   EXPECT_TRUE(std::holds_alternative<HookeHistory>(model_of(c, packing).law));
   EXPECT_TRUE(model_of(c, packing).barostat.legacy);
