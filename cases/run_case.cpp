@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "cases/build_info.h"
@@ -207,6 +208,8 @@ Result Run::result_of(const Outcome& outcome) {
   result.flips = count_of<Flip>(events_);
   result.state_hash = state_hash(now_.packing());
   for (Species s : now_.packing().species) ++(s == Species::large ? result.large : result.small);
+  const auto& radii = now_.packing().radius;
+  result.largest_diameter = 2 * *std::max_element(radii.begin(), radii.end());
   const Model& model = simulation_->model();
   result.time_step = model.time_step;
   result.pressure = model.barostat.pressure;
@@ -283,6 +286,8 @@ ExitCode exit_code_of(Verdict verdict) {
   return ExitCode::internal_error;
 }
 
+constexpr double thin = 3;  // largest diameters, less than which spheres share their neighbours with images
+
 std::string summary(const Result& r, const Case& c, const std::filesystem::path& folder) {
   const Measures& m = r.measures;
   const auto& backbone = m.backbone();
@@ -299,6 +304,8 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
                   m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
   text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
                       backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
+  text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
+                      r.thickness() < thin ? ": too thin to stand for a large packing" : "");
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
                       duration_text(r.wall_seconds),
                       static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /

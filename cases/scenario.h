@@ -20,7 +20,8 @@ Model model_of(const Case& c, const Packing& packing);
 /// When it counts as jammed.
 RestCriteria rest_criteria_of(const Case& c);
 
-/// Live contacts below which a particle is no part of the backbone: 4 without friction (d + 1), 2 with, because of bridges.
+/// Live contacts below which a particle is no part of the backbone: 4 without friction (d + 1), 2 with,
+/// because of bridges.
 int backbone_threshold_of(const Case& c);
 
 }  // namespace furnas

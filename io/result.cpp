@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
@@ -64,6 +65,11 @@ Json cell(const Triangle& h) {
 
 }  // namespace
 
+double Result::thickness() const {
+  const Vec3<double> h = heights(measures.cell.edges);
+  return std::min({h.x, h.y, h.z}) / largest_diameter;
+}
+
 std::optional<double> Result::phi_J() const {
   if (verdict != Verdict::jammed) return {};
   return measures.phi;
@@ -108,6 +114,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"large", r.large},
       {"small", r.small},
       {"cell", cell(m.cell.edges)},
+      {"thickness_in_largest_diameters", r.thickness()},
       {"law", c.contact.friction > 0 ? c.contact.law : c.contact.law + " without friction"},
       {"friction", c.contact.friction},
       {"precision", c.compute.precision},

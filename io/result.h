@@ -24,12 +24,17 @@ struct Result {
   std::int64_t flips{};               ///< times the cell was flipped
   std::uint64_t state_hash{};         ///< of the final state
   std::int64_t large{}, small{};      ///< particles of each species
+  double largest_diameter{};          ///< [d_s]
   double time_step{};                 ///< [time]
   double pressure{};                  ///< of the bath at the end [k_n/d_s]
   double inertia{};                   ///< W [rho d_s^5]
   int threads{};
   double wall_seconds{};      ///< of all processes that had a part in it
   std::int64_t steps_here{};  ///< steps that they took
+
+  /// Least distance between opposite faces of the cell, in diameters of the largest sphere. A packing that is
+  /// few of them thick says little about a large one.
+  double thickness() const;
 
   /// phi_J, which only a jammed packing has.
   std::optional<double> phi_J() const;

@@ -47,7 +47,8 @@ Series points_of(std::string name, const Histogram& h, const Look& look, bool lo
     const double low = h.edges[b], high = h.edges[b + 1];
     s.x.push_back(logarithmic && low > 0 ? std::sqrt(low * high) : 0.5 * (low + high));
     s.y.push_back(h.density(b));
-    s.error.push_back(h.density(b) / std::sqrt(static_cast<double>(h.counts[b])));
+    const double error = h.density(b) / std::sqrt(static_cast<double>(h.counts[b]));
+    s.bars.push_back({error, error});
   }
   return s;
 }

@@ -25,12 +25,17 @@ enum class LineStyle { none, solid, dashed, dotted };
 /// What stands at each point of a series.
 enum class Marker { none, circle, square, diamond, cross, plus };
 
+/// How far an error bar reaches along y, from its point.
+struct Bar {
+  double below{}, above{};
+};
+
 /// Points that belong together. Points with a coordinate that is not a number, or that a logarithmic axis
 /// cannot show, are left out and interrupt the line.
 struct Series {
   std::string name{};            ///< in the legend; empty: not there
   std::vector<double> x{}, y{};  ///< of equal length
-  std::vector<double> error{};   ///< half the length of the error bars along y; empty: none
+  std::vector<Bar> bars{};       ///< error bars; empty: none
   Colour colour = black;
   LineStyle line = LineStyle::solid;
   Marker marker = Marker::none;
@@ -56,7 +61,7 @@ struct Chart {
 };
 
 /// The chart in pixels, smooth-edged. Needs no display. Throws InputError when there is no OpenGL or no such
-/// size, ContractError when x, y and error of a series differ in length or the ends of an axis are in
+/// size, ContractError when x, y and bars of a series differ in length or the ends of an axis are in
 /// disorder.
 Pixels render(const Chart& chart);
 

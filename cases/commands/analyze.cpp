@@ -156,7 +156,7 @@ Command analyze_command() {
                    "mu that tangential forces are measured against; default: the run's")
         ->check(CLI::Range(0.0, 1e6));
     app.add_option("--backbone", options->backbone,
-                   "contacts below which a particle is a rattler; default: 4 without friction, 3 with")
+                   "contacts below which a particle is a rattler; default: 4 without friction, 2 with")
         ->check(CLI::Range(2, 4));
     app.add_option("--force-bin", analysis.force_bins.width, "width of the bins for forces [mean force]")
         ->check(CLI::Range(1e-3, 1e3))

@@ -24,13 +24,16 @@ Series measured(std::string name, std::size_t n, LineStyle line = LineStyle::sol
 }
 
 /// Adds a point; a single sample has no bar.
-void add(Series& s, double x, double y, double error) {
+void add(Series& s, double x, const Interval& y) {
   s.x.push_back(x);
-  s.y.push_back(y);
-  s.error.push_back(std::isfinite(error) ? error : 0);
+  s.y.push_back(y.value);
+  const bool known = std::isfinite(y.high - y.low);
+  s.bars.push_back(known ? Bar{y.value - y.low, y.high - y.value} : Bar{});
 }
 
-void add(Series& s, double x, const MeanInterval& mean) { add(s, x, mean.mean, mean.half_width); }
+void add(Series& s, double x, const MeanInterval& mean) {
+  add(s, x, Interval{mean.mean, mean.low(), mean.high()});
+}
 
 /// The model at many f_s.
 template <class Value>
@@ -156,8 +159,7 @@ Series model_points(const Study& study, std::string name, LineStyle line,
   s.colour = black;
   s.line = line;
   for (const Point& mono : study.mono) {
-    const Interval at = value(*study.model(mono.friction));
-    add(s, mono.friction, at.value, (at.high - at.low) / 2);
+    add(s, mono.friction, value(*study.model(mono.friction)));
   }
   return s;
 }
@@ -181,7 +183,7 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
       const auto m = curve ? maximum_of(*curve) : std::nullopt;
       if (!m) continue;
       add(of_phi, mu, m->phi_max);
-      add(of_f, mu, m->f_max, std::max(m->f_max_high - m->f_max, m->f_max - m->f_max_low));
+      add(of_f, mu, Interval{m->f_max, m->f_max_low, m->f_max_high});
     }
     if (of_phi.x.empty()) continue;
     phi.series.push_back(std::move(of_phi));
@@ -211,7 +213,8 @@ void add_rattlers(const Study& study, std::vector<Figure>& figures) {
         Series s = measured(fmt::format("μ = {}, fewer than {}", frictions[k], n + 2), k, lines[n]);
         for (const Point& p : curve->points)
           if (const auto& share = p.small_rattlers[n])
-            add(s, p.small_fraction, share->mean, std::min(share->half_width, 1.0));
+            add(s, p.small_fraction,
+                Interval{share->mean, std::max(share->low(), 0.0), std::min(share->high(), 1.0)});
         if (!s.x.empty()) chart.series.push_back(std::move(s));
       }
     }
@@ -265,13 +268,15 @@ std::vector<Figure> figures_of(const Study& study) {
 }
 
 std::string csv(const Chart& chart) {
-  Table table({"series", "x", "y", "error"});
+  Table table({"series", "x", "y", "low", "high"});
   for (const Series& s : chart.series)
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       std::string name = s.name;
       std::replace(name.begin(), name.end(), ',', ';');
+      const Bar* const bar = s.bars.empty() ? nullptr : &s.bars[k];
       table.row({name, fmt::format("{:.6g}", s.x[k]), fmt::format("{:.6g}", s.y[k]),
-                 s.error.empty() ? "" : fmt::format("{:.3g}", s.error[k])});
+                 bar ? fmt::format("{:.6g}", s.y[k] - bar->below) : "",
+                 bar ? fmt::format("{:.6g}", s.y[k] + bar->above) : ""});
     }
   return table.csv();
 }

@@ -18,7 +18,7 @@ struct Figure {
 /// All figures that a study has data for.
 std::vector<Figure> figures_of(const Study& study);
 
-/// What a chart shows as numbers: series, x, y, error.
+/// What a chart shows as numbers: series, x, y and the ends of the error bar.
 std::string csv(const Chart& chart);
 
 }  // namespace furnas

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 #include "engine/analysis/contacts.h"
 
@@ -26,17 +27,17 @@ std::vector<bool> live_contacts(const Packing& p, double share) {
 }
 
 std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int least_contacts) {
+  // Partners of k will be at [first[k], first[k + 1]). Each is filled in from its end, which moves there.
   std::vector<std::size_t> first(p.size() + 1, 0);
   for (std::size_t n = 0; n < p.contacts.size(); ++n)
-    if (live[n]) ++first[p.contacts[n].i + 1], ++first[p.contacts[n].j + 1];
-  for (std::size_t k = 0; k < p.size(); ++k) first[k + 1] += first[k];
+    if (live[n]) ++first[p.contacts[n].i], ++first[p.contacts[n].j];
+  std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> partner(first.back());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::size_t n = 0; n < p.contacts.size(); ++n) {
     if (!live[n]) continue;
     const Contact& c = p.contacts[n];
-    partner[next[c.i]++] = c.j;
-    partner[next[c.j]++] = c.i;
+    partner[--first[c.i]] = c.j;
+    partner[--first[c.j]] = c.i;
   }
 
   std::vector<int> degree(p.size());

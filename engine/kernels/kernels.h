@@ -23,7 +23,7 @@ struct ContactLoop {
   bool affine;       ///< contacts see the cell's flow
   const Particle<Real, S::spins>* particles;
   const Load<Real, S::spins>* loads;
-  const std::uint64_t* first;    ///< as in PairList
+  const RowNumber* first;        ///< as in PairList
   const std::uint32_t* partner;  ///< as in PairList
   const Quarter* quarter;        ///< as in PairList; null while every nearest image is right
   std::uint64_t rows_end;        ///< number of rows
@@ -69,10 +69,10 @@ struct GatherLoop {
 
   double time_step;  ///< [time]
   CellDragStep drag;
-  const std::uint64_t* first;           ///< as in PairList
-  const std::uint64_t* incoming_first;  ///< as in PairList
-  const std::uint32_t* incoming;        ///< as in PairList
-  std::uint64_t rows_end;               ///< number of rows
+  const RowNumber* first;           ///< as in PairList
+  const RowNumber* incoming_first;  ///< as in PairList
+  const RowNumber* incoming;        ///< as in PairList
+  std::uint64_t rows_end;           ///< number of rows
   const Row<Real, S::spins>* rows;
   const ContactCount* contacts;
   Load<Real, S::spins>* loads;

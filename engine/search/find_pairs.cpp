@@ -224,14 +224,16 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
     for (const Across& a : across[piece]) larger[a.particle].fetch_add(1, std::memory_order_relaxed);
   });
   list.first.resize(count + 1);
-  list.first[0] = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    list.first[i + 1] =
-        list.first[i] + within[i / chunk].count[i % chunk] + larger[i].load(std::memory_order_relaxed);
-  require(list.first[count] < std::numeric_limits<std::uint32_t>::max(), "rows of the list fit in 32 bits");
+  std::uint64_t rows = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    list.first[i] = static_cast<RowNumber>(rows);
+    rows += within[i / chunk].count[i % chunk] + larger[i].load(std::memory_order_relaxed);
+  }
+  require(rows < std::numeric_limits<RowNumber>::max(), "rows of the list fit in 32 bits");
+  list.first[count] = static_cast<RowNumber>(rows);
 
-  list.partner.resize(list.first[count]);
-  list.quarter.resize(images ? list.first[count] : 0);
+  list.partner.resize(rows);
+  list.quarter.resize(images ? rows : 0);
   const auto put = [&](std::uint64_t row, const Found& found) {
     list.partner[row] = found.partner();
     if (images) list.quarter[row] = found.quarter();
@@ -280,7 +282,7 @@ void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std
 
 void index_incoming(PairList& list) {
   const std::size_t count = list.first.size() - 1;
-  std::vector<std::atomic<std::uint64_t>> place(count + 1);
+  std::vector<std::atomic<RowNumber>> place(count + 1);
   for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
       place[list.partner[k] + 1].fetch_add(1, std::memory_order_relaxed);
@@ -294,7 +296,7 @@ void index_incoming(PairList& list) {
   for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
       list.incoming[place[list.partner[k]].fetch_add(1, std::memory_order_relaxed)] =
-          static_cast<std::uint32_t>(k);
+          static_cast<RowNumber>(k);
   });
   // Threads fill in any order; sorted, the order is that of the rows again.
   for_chunks(count, 1024, [&](std::size_t begin, std::size_t end, std::size_t) {

@@ -23,6 +23,9 @@ struct Skin {
 /// fourth is 0 and makes it a word that lanes can load.
 using Quarter = std::array<std::int8_t, 4>;
 
+/// Number of a row of the list: in 32 bits, because a billion particles would need them all.
+using RowNumber = std::uint32_t;
+
 /// A size class: particles [first, last) whose radii differ little, searched on one grid.
 struct SizeClass {
   std::size_t first{}, last{};
@@ -34,15 +37,15 @@ struct SizeClass {
 struct PairList {
   std::vector<SizeClass> classes;  ///< from the largest spheres to the smallest
   Skin skin;
-  std::vector<std::uint64_t> first;           ///< rows of particle i are [first[i], first[i + 1])
-  std::vector<std::uint32_t> partner;         ///< j <= i of each row, ascending within i
-  std::vector<Quarter> quarter;               ///< image of each row; empty while every nearest image is right
-  std::vector<std::uint64_t> incoming_first;  ///< incoming of j are [incoming_first[j], ...[j + 1])
-  std::vector<std::uint32_t> incoming;        ///< rows in which a particle is the partner, ascending
-  Triangle edges;                             ///< of the cell when the list was built [d_s]
-  std::vector<Fraction> reference;            ///< positions when the list was built
-  std::int64_t step{};                        ///< when the list was built
-  std::int64_t builds{};                      ///< lists built so far
+  std::vector<RowNumber> first;           ///< rows of particle i are [first[i], first[i + 1])
+  std::vector<std::uint32_t> partner;     ///< j <= i of each row, ascending within i
+  std::vector<Quarter> quarter;           ///< image of each row; empty while every nearest image is right
+  std::vector<RowNumber> incoming_first;  ///< incoming of j are [incoming_first[j], ...[j + 1])
+  std::vector<RowNumber> incoming;        ///< rows in which a particle is the partner, ascending
+  Triangle edges;                         ///< of the cell when the list was built [d_s]
+  std::vector<Fraction> reference;        ///< positions when the list was built
+  std::int64_t step{};                    ///< when the list was built
+  std::int64_t builds{};                  ///< lists built so far
 
   std::size_t rows() const { return partner.size(); }
 };

@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::size_t beyond = std::size_t{1} << 32;  // the first number that 32 bits do not hold
 
-// The rows of 2.6e7 spheres are some 1e8; their bytes are beyond 2^32.
-static_assert(sizeof(decltype(PairList::first)::value_type) == 8);
-static_assert(sizeof(decltype(PairList::incoming_first)::value_type) == 8);
+// A hundred rows for each of 3e7 spheres, the most of the job; find_pairs refuses more rows than that.
+static_assert(std::numeric_limits<RowNumber>::max() > 100 * 30'000'000LL);
 static_assert(std::is_same_v<decltype(std::declval<PairList>().rows()), std::size_t>);
 static_assert(std::is_same_v<decltype(std::declval<Packing>().size()), std::size_t>);
 

@@ -39,6 +39,7 @@ Result example(Verdict verdict) {
   r.state_hash = 0x0123456789abcdef;
   r.large = 200;
   r.small = 800;
+  r.largest_diameter = 1.6;
   r.time_step = 0.032415;
   r.pressure = 1e-4;
   r.wall_seconds = 2;
@@ -90,6 +91,8 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["threads"], 3);
   EXPECT_EQ(json["applied_pressure"], 1e-4);
   EXPECT_EQ(json["cell"], (Json{{"lx", 2}, {"ly", 3}, {"lz", 4}, {"xy", 0.3}, {"xz", 0.2}, {"yz", 0.1}}));
+  // The volume over the face that the second and the third edge span.
+  EXPECT_NEAR(json["thickness_in_largest_diameters"], 24 / std::hypot(12, 1.2, 0.57) / 1.6, 1e-12);
 }
 
 TEST(Result, CountsRattlersOfEachSpeciesAtEachThreshold) {

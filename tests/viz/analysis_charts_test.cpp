@@ -79,7 +79,7 @@ TEST(AnalysisCharts, PointsStandOnTheDensity) {
     EXPECT_GT(s.x.size(), 20U);
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       // Five errors, and two in a hundred: an exponential falls over a bin.
-      EXPECT_NEAR(s.y[k], std::exp(-s.x[k]), 5 * s.error[k] + 0.02 * s.y[k]) << s.x[k];
+      EXPECT_NEAR(s.y[k], std::exp(-s.x[k]), 5 * s.bars[k].above + 0.02 * s.y[k]) << s.x[k];
     }
   }
 }

@@ -67,7 +67,7 @@ Chart three_series() {
     line.y.push_back(std::pow(10.0, -0.3 * n));
     points.x.push_back(n);
     points.y.push_back(0.01 * std::pow(10.0, 0.2 * n));
-    points.error.push_back(0.5 * points.y.back());
+    points.bars.push_back({0.5 * points.y.back(), 0.5 * points.y.back()});
   }
   chart.series = {line, points, steps("bins", {0, 2, 5}, {0.002, 0.0006}, green)};
   return chart;
@@ -185,7 +185,7 @@ TEST(Chart, RefusesSeriesThatDoNotFitTogetherAndPathsThatCannotBeWritten) {
   Chart chart;
   chart.series = {{"", {1, 2}, {1}}};
   EXPECT_THROW(render(chart), ContractError);
-  chart.series = {{"", {1}, {1}, {1, 2}}};
+  chart.series = {{"", {1}, {1}, {{1, 1}, {2, 2}}}};
   EXPECT_THROW(render(chart), ContractError);
   EXPECT_THROW(render_svg(three_series(), place("missing/chart.svg")), OutputError);
   EXPECT_THROW(render_png(three_series(), place("missing/chart.png")), OutputError);

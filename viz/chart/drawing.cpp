@@ -113,9 +113,10 @@ class ChartDrawing {
   }
 
   void draw_error_bar(const Series& s, std::size_t k) {
-    const Spot high = spot(s.x[k], s.y[k] + s.error[k]);
-    Spot low = spot(s.x[k], s.y[k] - s.error[k]);
-    if (!visible(spot(s.x[k], s.y[k])) || !(s.error[k] > 0) || !visible(high)) return;
+    const Bar& bar = s.bars[k];
+    const Spot high = spot(s.x[k], s.y[k] + bar.above);
+    Spot low = spot(s.x[k], s.y[k] - bar.below);
+    if (!visible(spot(s.x[k], s.y[k])) || !(bar.below + bar.above > 0) || !visible(high)) return;
     const double cap = 0.4 * size_.marker;
     const auto thin = [&](const Polyline& line) { canvas_.line(line, s.colour, 0.6 * size_.line); };
     thin({{high.x - cap, high.y}, {high.x + cap, high.y}});
@@ -128,7 +129,7 @@ class ChartDrawing {
   }
 
   void draw_lines(const Series& s) {
-    for (std::size_t k = 0; k < s.error.size(); ++k) draw_error_bar(s, k);
+    for (std::size_t k = 0; k < s.bars.size(); ++k) draw_error_bar(s, k);
     Polyline line;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       const Spot p = spot(s.x[k], s.y[k]);

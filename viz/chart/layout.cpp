@@ -69,15 +69,15 @@ class Extent {
 void find_stretches(const Chart& chart, ChartLayout& layout) {
   Extent x(chart.x), y(chart.y);
   for (const Series& s : chart.series) {
-    require(s.x.size() == s.y.size() && (s.error.empty() || s.error.size() == s.y.size()),
-            "x, y and error of a series have the same length");
+    require(s.x.size() == s.y.size() && (s.bars.empty() || s.bars.size() == s.y.size()),
+            "x, y and bars of a series have the same length");
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       if (!std::isfinite(shown(chart.x, s.x[k])) || !std::isfinite(shown(chart.y, s.y[k]))) continue;
       x.add(s.x[k]);
       y.add(s.y[k]);
-      if (s.error.empty()) continue;
-      y.add(s.y[k] + s.error[k]);
-      if (!chart.y.logarithmic) y.add(s.y[k] - s.error[k]);
+      if (s.bars.empty()) continue;
+      y.add(s.y[k] + s.bars[k].above);
+      if (!chart.y.logarithmic) y.add(s.y[k] - s.bars[k].below);
     }
   }
   layout.x = x.stretch(most_x_labels, 0);
@@ -112,9 +112,9 @@ void place_frame(const Chart& chart, ChartLayout& layout) {
 std::vector<Spot> ink(const Chart& chart, const ChartLayout& layout) {
   constexpr int between = 24;
   const Box& f = layout.frame;
-  const auto place = [&](const Series& s, std::size_t k, double error) -> Spot {
+  const auto place = [&](const Series& s, std::size_t k, double way) -> Spot {
     const double x = (shown(chart.x, s.x[k]) - layout.x.low) / (layout.x.high - layout.x.low);
-    const double y = (shown(chart.y, s.y[k] + error) - layout.y.low) / (layout.y.high - layout.y.low);
+    const double y = (shown(chart.y, s.y[k] + way) - layout.y.low) / (layout.y.high - layout.y.low);
     return {f.left + x * (f.right - f.left), f.bottom + y * (f.top - f.bottom)};
   };
   std::vector<Spot> points;
@@ -129,7 +129,7 @@ std::vector<Spot> ink(const Chart& chart, const ChartLayout& layout) {
         }
       };
       if (s.line != LineStyle::none && k + 1 < s.x.size()) join(place(s, k + 1, 0));
-      if (!s.error.empty()) join(place(s, k, s.error[k])), join(place(s, k, -s.error[k]));
+      if (!s.bars.empty()) join(place(s, k, s.bars[k].above)), join(place(s, k, -s.bars[k].below));
     }
   return points;
 }

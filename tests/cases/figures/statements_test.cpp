@@ -190,7 +190,7 @@ TEST(Figures, AreThoseOfThePaper) {
   for (const Figure& f : figures_of(study_from(agreeing()))) {
     names.push_back(f.name);
     EXPECT_FALSE(f.caption.empty());
-    EXPECT_THAT(csv(f.chart), HasSubstr("series,x,y,error\n"));
+    EXPECT_THAT(csv(f.chart), HasSubstr("series,x,y,low,high\n"));
   }
   EXPECT_THAT(names, ElementsAre("figure_2a", "figure_2b", "figure_3a", "figure_3b", "figure_4_alpha_2",
                                  "figure_4_alpha_20", "phi_large_mu_0", "phi_small_mu_0", "phi_large_mu_0.3",

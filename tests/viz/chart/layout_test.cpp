@@ -26,7 +26,7 @@ bool covered(const ChartLayout& layout, double x, double y) {
 }
 
 TEST(ChartLayout, HoldsAllDataAndEndsOnMarks) {
-  const ChartLayout layout = layout_of(chart_of({"", {0.13, 4.7}, {-0.2, 0.93}, {0.1, 0.2}}));
+  const ChartLayout layout = layout_of(chart_of({"", {0.13, 4.7}, {-0.2, 0.93}, {{0.1, 0}, {0, 0.2}}}));
   EXPECT_DOUBLE_EQ(layout.x.low, 0);
   EXPECT_DOUBLE_EQ(layout.x.high, 5);
   EXPECT_NEAR(layout.y.low, -0.4, 1e-12) << "the error bar reaches to -0.3";
