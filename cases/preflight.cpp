@@ -102,7 +102,7 @@ double expected_memory(double particles, const Case& c) {
   constexpr double program = 36e6, renderer = 126e6, pixel = 89, drawn_particle = 420;
   // Contacts a particle, of equal spheres at rest; within 0.1 of those of docs/verification.md.
   const double contacts = 1.95 + 1.05 * std::exp(-c.contact.friction / 0.15);
-  const double particle = (c.compute.precision == "double" ? 650 : 430) + 160 * contacts;
+  const double particle = (c.compute.precision == "double" ? 632 : 412) + 160 * contacts;
   const double running = program + particles * particle;
   if (c.output.picture == "none") return running;
   const double edge = c.output.picture_size;

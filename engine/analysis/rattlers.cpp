@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 
 #include "engine/analysis/contacts.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 
@@ -28,9 +30,11 @@ std::vector<bool> live_contacts(const Packing& p, double share) {
 
 std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int least_contacts) {
   // Partners of k will be at [first[k], first[k + 1]). Each is filled in from its end, which moves there.
-  std::vector<std::size_t> first(p.size() + 1, 0);
+  require(2 * p.contacts.size() < std::numeric_limits<std::uint32_t>::max(), "contacts fit in 31 bits");
+  std::vector<std::uint32_t> first(p.size() + 1, 0);
   for (std::size_t n = 0; n < p.contacts.size(); ++n)
     if (live[n]) ++first[p.contacts[n].i], ++first[p.contacts[n].j];
+  std::vector<std::uint32_t> degree(first.begin(), first.end() - 1);
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> partner(first.back());
   for (std::size_t n = 0; n < p.contacts.size(); ++n) {
@@ -40,24 +44,22 @@ std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int 
     partner[--first[c.j]] = c.i;
   }
 
-  std::vector<int> degree(p.size());
+  const auto least = static_cast<std::uint32_t>(least_contacts);
   std::vector<bool> out(p.size(), false);
-  std::vector<std::uint32_t> queue;
+  std::vector<std::uint32_t> gone;  // but their partners have not heard of it
   for (std::uint32_t k = 0; k < p.size(); ++k) {
-    degree[k] = static_cast<int>(first[k + 1] - first[k]);
-    if (degree[k] < least_contacts) {
-      out[k] = true;
-      queue.push_back(k);
-    }
-  }
-  while (!queue.empty()) {
-    const std::uint32_t gone = queue.back();
-    queue.pop_back();
-    for (std::size_t n = first[gone]; n < first[gone + 1]; ++n) {
-      const std::uint32_t k = partner[n];
-      if (out[k] || --degree[k] >= least_contacts) continue;
-      out[k] = true;
-      queue.push_back(k);
+    if (out[k] || degree[k] >= least) continue;
+    out[k] = true;
+    gone.push_back(k);
+    while (!gone.empty()) {
+      const std::uint32_t left = gone.back();
+      gone.pop_back();
+      for (std::uint32_t n = first[left]; n < first[left + 1]; ++n) {
+        const std::uint32_t other = partner[n];
+        if (out[other] || --degree[other] >= least) continue;
+        out[other] = true;
+        gone.push_back(other);
+      }
     }
   }
   return out;

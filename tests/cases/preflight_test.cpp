@@ -141,13 +141,13 @@ TEST(Preflight, CountsAnyNumberOfSpheres) {
   c.mixture.size_ratio = 40;
   c.mixture.small_fraction = 0.292;
   EXPECT_THAT(check_case(c).report, HasSubstr("particles 26396480: 1000 large"));  // the study's largest
-  EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 20.22 GB"));
+  EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 19.75 GB"));
   c.mixture.large = 10'000'000;
   c.mixture.size_ratio = 100;
   c.mixture.small_fraction = 0.75;
   const Preflight largest = check_case(c);
   EXPECT_THAT(largest.report, HasSubstr("particles 30000010000000: 10000000 large"));
-  EXPECT_THAT(largest.report, HasSubstr("memory    about 22942097.51 GB"));
+  EXPECT_THAT(largest.report, HasSubstr("memory    about 22402097.33 GB"));
   EXPECT_THAT(largest.refusal, HasSubstr("mixture.large = 10000000"));
 }
 
