@@ -23,11 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Measured in docs/decisions.md: frictionless packings settle slowly, mixtures cool slowly before.
-double expected_steps(const Case& c) {
-  const double settle = c.contact.friction > 0 ? 1e5 : 5e5;
-  const double cool = c.mixture.size_ratio > 1 && c.start.file.empty() ? 6e4 * c.mixture.size_ratio : 0;
-  return std::min(settle + cool, static_cast<double>(c.stop.steps));
+/// Fitted to the samples of docs/study: frictionless packings settle the more slowly the larger they are,
+/// frictional ones near the densest mixture, where a few bridges carry, and the more so the larger the size
+/// ratio.
+double expected_steps(const Case& c, double particles) {
+  const double off = (c.mixture.small_fraction - 0.33) / 0.12;
+  const double near_the_maximum = 3e4 * c.mixture.size_ratio * c.mixture.size_ratio * std::exp(-off * off);
+  const double steps =
+      c.contact.friction > 0 ? 1e5 + near_the_maximum : 4e5 * std::sqrt(std::max(particles / 500, 1.0));
+  return std::min(steps, static_cast<double>(c.stop.steps));
 }
 
 double particles_of(const Case& c) {
@@ -117,7 +121,8 @@ fs::path folder_of_sample(const std::vector<std::string>& keys, const std::vecto
 }
 
 Sample sample_of(const Case& c, const std::vector<std::string>& keys, const fs::path& folder) {
-  Sample sample{c, {}, {}, particles_of(c), expected_steps(c)};
+  const double particles = particles_of(c);
+  Sample sample{c, {}, {}, particles, expected_steps(c, particles)};
   for (const std::string& key : keys) sample.values.push_back(value_in(c, key));
   sample.folder = folder / folder_of_sample(keys, sample.values, c.mixture.seed);
   return sample;

@@ -57,6 +57,13 @@ struct Running {
   const Sample* sample;
   Child child;
   int threads;
+  Clock::time_point since = Clock::now();
+
+  /// What it has probably done of its cost [particle-steps].
+  double progress() const {
+    const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
+    return std::min(pace_of_a_core * threads * seconds, sample->cost());
+  }
 };
 
 class Pool {
@@ -134,12 +141,12 @@ class Pool {
     s.left = waiting_.size();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const double expected = pace_of_a_core * jobs_;  // particle-steps a second
+    double left = cost_;
+    for (const Running& r : running_) left -= r.progress();
     // The expected pace counts like a minute of measurement.
     constexpr double minute = 60;
-    const double pace = (all_ - cost_ + minute * expected) / (seconds + minute);
-    double of_running = 0;
-    for (const Running& r : running_) of_running += r.sample->cost();
-    s.seconds_left = std::max(cost_ - 0.5 * of_running, 0.0) / pace;
+    const double pace = (all_ - left + minute * expected) / (seconds + minute);
+    s.seconds_left = left / pace;
     return s;
   }
 
