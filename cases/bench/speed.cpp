@@ -83,7 +83,10 @@ class SpeedMeasurement {
     const MemoryWatch memory;
     const auto simulation = make_simulation(model(k), packing_, order_.variants[k].threads);
     const auto particles = static_cast<double>(packing_.size());
-    simulation->advance(steps_ / 10 + 1);  // caches and pages are warm afterwards
+    // Caches and pages are warm afterwards, and the first list, wide because nothing was known of the motion,
+    // has been replaced.
+    constexpr std::int64_t settled = 150;
+    simulation->advance(std::max(steps_ / 10, settled));
     const std::int64_t builds = simulation->builds();
     rates_[k].push_back(particles * static_cast<double>(steps_) / seconds_of(*simulation, steps_) / 1e6);
     row.rebuilds = simulation->builds() - builds;
