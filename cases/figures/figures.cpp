@@ -158,9 +158,7 @@ Series model_points(const Study& study, std::string name, LineStyle line,
   Series s{std::move(name)};
   s.colour = black;
   s.line = line;
-  for (const Point& mono : study.mono) {
-    add(s, mono.friction, value(*study.model(mono.friction)));
-  }
+  for (const Point& mono : study.mono) add(s, mono.friction, value(*study.model(mono.friction)));
   return s;
 }
 
