@@ -37,7 +37,16 @@ TEST(Run, JamsAFewSpheres) {
   EXPECT_EQ(result["state_hash"], hex(state_hash(saved(runs, "a"))));
   EXPECT_THAT(answer.out, HasSubstr("verdict   jammed"));
   EXPECT_THAT(answer.out, HasSubstr("phi_J"));
+  EXPECT_THAT(answer.out, HasSubstr(" largest diameters thick\n"));
   EXPECT_EQ(content(runs.path("a/log.txt")), answer.out);
+}
+
+TEST(Run, SaysThatAFewLargeSpheresAreTooFew) {
+  const Runs runs;
+  const Answer answer = runs.run("a", {"mixture.size_ratio=4", "mixture.small_fraction=0.5",
+                                       "mixture.large=4", "stop.steps=10", "mixture.start_fraction=0.2"});
+  EXPECT_THAT(answer.out, HasSubstr("diameters thick: too thin to stand for a large packing\n"));
+  EXPECT_LT(runs.result("a")["thickness_in_largest_diameters"], 3);
 }
 
 TEST(Run, LeavesItsFolder) {
