@@ -37,10 +37,13 @@ bool Quench::due(Observation& now) {
   if (window_ends) slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
   const bool near =
       r.force_imbalance < nearly * c.force_imbalance && r.strain_drift < nearly * c.strain_drift;
+  // What moves though forces balance is felt by no contact: a bridge that spins.
+  const bool unfelt =
+      r.backbone > 0 && near && r.stress_error < c.stress_error && r.force_imbalance < c.force_imbalance;
   const double moving = motion(now);
   peak_ = std::max(peak_, moving);
   const bool timely = count_at_pressure_ < often ? window_ends : moving < of_its_peak * peak_;
-  return timely && slow && (near || slow_windows_ > patience);
+  return timely && (unfelt || (slow && (near || slow_windows_ > patience)));
 }
 
 std::string Quench::memory() {

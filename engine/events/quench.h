@@ -5,13 +5,14 @@
 namespace furnas {
 
 /// Takes out all motion, of the particles and of the cell, once the packing is nearly at rest: when all
-/// limits of the verdict hold a hundred times over, or when stress and energy have for fifty windows though
-/// the forces never balance and the cell creeps.
+/// limits of the verdict hold a hundred times over, or those of balance and stress hold once, whatever moves,
+/// or when stress and energy have for fifty windows though the forces never balance and the cell creeps.
 ///
-/// What still moves then is what no law damps: a sphere that spins about its contact normal, rattlers that
-/// knock at a backbone long settled, a cell that shears to and fro while contacts see peculiar velocities
-/// alone, soft modes of many spheres without friction that keep each other moving. It changes no position and
-/// no force, only the time until they balance; docs/decisions.md has the measurement.
+/// What still moves then is what no law damps: a sphere that spins about its contact normal or, on two
+/// contacts, about the line through them, rattlers that knock at a backbone long settled, a cell that shears
+/// to and fro while contacts see peculiar velocities alone, soft modes of many spheres without friction that
+/// keep each other moving. It changes no position and no force, only the time until they balance;
+/// docs/decisions.md has the measurement.
 ///
 /// At first it acts at each end of a window. Where that does not bring rest, something slow is on its way
 /// that each quench holds up; from then on it acts once the motion has fallen to half of its peak. A new
