@@ -127,8 +127,9 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double edge = std::cbrt(n.volume / dense);
   const double diameters = edge / n.large;
   out.report += fmt::format(
-      "cell      about {:.1f} large diameters wide when dense{}\n", diameters,
-      diameters < 2.1 ? ", so spheres meet several images of each other: slower, still right" : "");
+      "cell      about {:.1f} largest diameters wide when dense{}{}\n", diameters,
+      diameters < thin_cell ? ": too thin to stand for a large packing" : "",
+      diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
   const int threads =
       c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));

@@ -286,8 +286,6 @@ ExitCode exit_code_of(Verdict verdict) {
   return ExitCode::internal_error;
 }
 
-constexpr double thin = 3;  // largest diameters, less than which spheres share their neighbours with images
-
 std::string summary(const Result& r, const Case& c, const std::filesystem::path& folder) {
   const Measures& m = r.measures;
   const auto& backbone = m.backbone();
@@ -305,7 +303,7 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
                       backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
-                      r.thickness() < thin ? ": too thin to stand for a large packing" : "");
+                      r.thickness() < thin_cell ? ": too thin to stand for a large packing" : "");
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
                       duration_text(r.wall_seconds),
                       static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /

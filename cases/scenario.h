@@ -20,6 +20,10 @@ Model model_of(const Case& c, const Packing& packing);
 /// When it counts as jammed.
 RestCriteria rest_criteria_of(const Case& c);
 
+/// A cell thinner than so many of its largest diameters does not stand for a large packing: spheres share
+/// their neighbours with their own images.
+inline constexpr double thin_cell = 3;
+
 /// Live contacts below which a particle is no part of the backbone: 4 without friction (d + 1), 2 with,
 /// because of bridges.
 int backbone_threshold_of(const Case& c);

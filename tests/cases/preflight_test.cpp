@@ -13,6 +13,7 @@
 namespace furnas {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -70,13 +71,16 @@ TEST(Preflight, ComparesTheStepWithTheStiffestPair) {
 }
 
 TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
-  const char* const remark = "spheres meet several images of each other";
+  const char* const thin = "too thin to stand for a large packing";
+  const char* const images = "spheres meet several images of each other";
   Case c;
   c.mixture.large = 5;
-  EXPECT_THAT(check_case(c).report, HasSubstr(remark));
+  EXPECT_THAT(check_case(c).report, AllOf(HasSubstr(thin), HasSubstr(images)));
   c.mixture.large = 20;
-  EXPECT_THAT(check_case(c).report, Not(HasSubstr(remark)));
+  EXPECT_THAT(check_case(c).report, AllOf(HasSubstr(thin), Not(HasSubstr(images))));
   EXPECT_TRUE(check_case(c).refusal.empty());
+  c.mixture.large = 100;
+  EXPECT_THAT(check_case(c).report, AllOf(Not(HasSubstr(thin)), Not(HasSubstr(images))));
 }
 
 TEST(Preflight, RefusesWhatTheMachineCannotHold) {
