@@ -125,7 +125,7 @@ Part constraint_part(const ContactNetwork& network, const Backbone& backbone, Ce
   return part;
 }
 
-Part stability_part(const Modes& modes, std::int64_t sliding) {
+Part stability_part(const Modes& modes, std::size_t shown, std::int64_t sliding) {
   Part part;
   part.name = "stability";
   part.asks = "Does every small motion of the backbone and its cell cost energy?";
@@ -136,13 +136,14 @@ Part stability_part(const Modes& modes, std::int64_t sliding) {
   bool sure = modes.valid && sliding == 0;
   std::int64_t open = 0;
   for (std::size_t k = 0; k < modes.lowest.size(); ++k) {
+    sure = sure && modes.lowest[k] > modes.doubt[k];
+    if (modes.open(k)) ++open;
+    if (k >= shown) continue;
     std::string name = "eigenvalue ";
     name += std::to_string(k + 1);
     part.findings.push_back(told(name + " besides translation [k_n]", modes.lowest[k]));
-    sure = sure && modes.lowest[k] > modes.doubt[k];
-    if (!modes.open(k)) continue;
-    ++open;
-    part.findings.push_back(told(name + ", in doubt for want of balance by [k_n]", modes.doubt[k]));
+    if (modes.open(k))
+      part.findings.push_back(told(name + ", in doubt for want of balance by [k_n]", modes.doubt[k]));
   }
   part.proves = sure ? Proves::sufficient : Proves::necessary;
   if (sliding > 0)
@@ -203,13 +204,15 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   certificate.open = network.open;
   certificate.bulk_modulus = moduli.bulk;
   certificate.shear_modulus = moduli.shear;
+  const auto shown = static_cast<std::size_t>(terms.eigenvalues);
   certificate.eigenvalues = modes.lowest;
+  if (certificate.eigenvalues.size() > shown) certificate.eigenvalues.resize(shown);
   certificate.parts = {backbone_part(network, packing.species, backbone),
                        balance_part(network, backbone, terms, certificate.balance),
                        stress_part(network, terms),
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.freedom),
-                       stability_part(modes, friction_state(network, backbone).sliding),
+                       stability_part(modes, shown, friction_state(network, backbone).sliding),
                        moduli_part(moduli, terms.freedom)};
   return certificate;
 }
