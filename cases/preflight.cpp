@@ -128,7 +128,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double diameters = edge / n.large;
   out.report += fmt::format(
       "cell      about {:.1f} largest diameters wide when dense{}{}\n", diameters,
-      diameters < thin_cell ? ": too thin to stand for a large packing" : "",
+      remark_on_thickness(diameters),
       diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
   const int threads =

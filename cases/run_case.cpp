@@ -303,7 +303,7 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
                       backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
-                      r.thickness() < thin_cell ? ": too thin to stand for a large packing" : "");
+                      remark_on_thickness(r.thickness()));
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
                       duration_text(r.wall_seconds),
                       static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /

@@ -83,6 +83,10 @@ RestCriteria rest_criteria_of(const Case& c) {
   return rest;
 }
 
+const char* remark_on_thickness(double diameters) {
+  return diameters < 3 ? ": too thin to stand for a large packing" : "";
+}
+
 int backbone_threshold_of(const Case& c) { return c.contact.friction == 0 ? 4 : 2; }
 
 }  // namespace furnas

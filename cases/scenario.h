@@ -20,9 +20,9 @@ Model model_of(const Case& c, const Packing& packing);
 /// When it counts as jammed.
 RestCriteria rest_criteria_of(const Case& c);
 
-/// A cell thinner than so many of its largest diameters does not stand for a large packing: spheres share
-/// their neighbours with their own images.
-inline constexpr double thin_cell = 3;
+/// What is to be said of a cell so many of its largest diameters thick: below 3 spheres share their
+/// neighbours with their own images, and it does not stand for a large packing.
+const char* remark_on_thickness(double diameters);
 
 /// Live contacts below which a particle is no part of the backbone: 4 without friction (d + 1), 2 with,
 /// because of bridges.

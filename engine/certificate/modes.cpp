@@ -66,7 +66,7 @@ Modes softest_modes(const Stiffness& stiffness, const MatrixXd& strains, int cou
   const Index largest_basis = compliance.rows() - 3;
   // Of those below zero each is looked at, for whether it is in doubt. The nearest to zero come first.
   constexpr Index most = 400;
-  const Index wanted = std::min<Index>(count + 2 * static_cast<Index>(modes.negative), most);
+  const Index wanted = std::max<Index>(count, std::min<Index>(count + 2 * modes.negative, most));
   const Index shown = std::min<Index>(wanted, largest_basis - 1);
   const Index basis = std::min<Index>(largest_basis, std::max<Index>(2 * shown + 1, 40));
   Spectra::SymEigsShiftSolver<Compliance> solver(compliance, shown, basis, 0);

@@ -34,7 +34,7 @@ struct Modes {
 /// The strains that a cell may make, as columns.
 Eigen::MatrixXd free_strains(CellFreedom freedom);
 
-/// The lowest `count` modes, and more where there are negative ones, up to 400 in all. The cell's strains
+/// The lowest `count` modes, and where there are negative ones more, up to 400 in all. The cell's strains
 /// enter as the root mean square displacement they give to the backbone, times the root of its number, so
 /// that eigenvalues do not depend on the unit of the strain.
 Modes find_modes(const Stiffness& stiffness, CellFreedom freedom, int count);

@@ -112,7 +112,7 @@ TEST(Modes, OfAChainThatBuckles) {
     };
     // The shortest wave is the lowest. Of few unknowns six are seen, of many all that are negative.
     const auto& lowest = answer.modes.lowest;
-    EXPECT_NEAR(lowest.front(), wave(length / 2), 1e-12) << length;
+    EXPECT_NEAR(lowest.front(), wave(length / 2), length < 40 ? 1e-14 : 1e-12) << length;
     if (length < 40) continue;
     for (int m = 1; m < length / 2; ++m)  // two of each wave, in two directions
       for (std::size_t k = 0; k < 4; ++k)
