@@ -6,7 +6,7 @@ function(furnas_kernels set)
   target_compile_definitions(furnas_kernels_${set} PRIVATE FURNAS_KERNELS=kernels_for_${set})
   target_compile_options(furnas_kernels_${set} PRIVATE -O2 -fno-tree-vectorize ${ARGN}
                          # GCC 12 warns of its own AVX-512 intrinsics.
-                         -Wno-maybe-uninitialized)
+                         -Wno-maybe-uninitialized -Wno-uninitialized)
   target_sources(furnas_engine PRIVATE $<TARGET_OBJECTS:furnas_kernels_${set}>)
 endfunction()
 

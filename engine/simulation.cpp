@@ -11,6 +11,7 @@
 #include "engine/phases/integrate.h"
 #include "engine/search/find_pairs.h"
 #include "engine/search/merge.h"
+#include "engine/search/near_rows.h"
 #include "engine/search/size_classes.h"
 #include "engine/state/validate.h"
 #include "engine/step.h"
@@ -65,6 +66,7 @@ class SimulationOf final : public Simulation {
   int threads() const override { return workers_.threads(); }
   std::int64_t builds() const override { return state_.pairs.builds; }
   std::size_t pairs() const override { return state_.pairs.rows(); }
+  std::size_t near_pairs() const override { return near_rows(state_.pairs, work_.near); }
   const StepGraph& graph() const override { return step_; }
 
  private:
@@ -146,13 +148,14 @@ void SimulationOf<Scene>::build_list(std::int64_t builds) {
   adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.memory, state_.image,
                     work_.wear);
   state_.pairs.builds = builds + 1;
+  work_.near = {};
 }
 
 template <class Scene>
 void SimulationOf<Scene>::take_forces() {
   const double no_step = 0;
   contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                        state_.rows, state_.memory, state_.stress.contacts, work_.work);
+                        state_.rows, state_.memory, work_.near, state_.stress.contacts, work_.work);
   gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.memory,
                          state_.loads, state_.particles, state_.stress.motion);
   state_.ledger = {};

@@ -42,6 +42,9 @@ class Simulation {
   /// Candidate pairs in the list.
   virtual std::size_t pairs() const = 0;
 
+  /// Pairs of the list that most steps look at: those that are near, if few are, or all.
+  virtual std::size_t near_pairs() const = 0;
+
   /// The step as a graph.
   virtual const StepGraph& graph() const = 0;
 };

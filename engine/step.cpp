@@ -18,7 +18,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.loads, s.particles, w.longest_way);
+  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.memory, s.loads, s.particles, w.longest_way);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
   step.phase("watch the wear",              watch_wear,           s.step, w.longest_way, s.cell, s.pairs, w.wear);
@@ -27,7 +27,8 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
   step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.memory, s.image, w.wear);
 
-  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.memory, s.stress.contacts, w.work);
+  step.phase("watch the near rows",         watch_near_rows,      s.step, dt, w.longest_way, s.cell, s.pairs, w.near);
+  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.memory, w.near, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
   step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.memory, s.loads, s.particles, s.stress.motion);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
@@ -48,6 +49,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.image, "image");
   step.name(w.longest_way, "longest way");
   step.name(w.wear, "wear");
+  step.name(w.near, "near rows");
   step.name(w.draft, "draft of the list");
   return step;
 }

@@ -11,6 +11,7 @@ namespace furnas {
 struct StepWork {
   LongestWay longest_way;
   Wear wear;
+  NearRows near;
   ListDraft draft;
   ContactWork work;
 };

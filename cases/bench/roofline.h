@@ -7,7 +7,7 @@ namespace furnas {
 /// What a particle-step must move when nothing of it stays in the cache between two phases.
 struct Traffic {
   bool spins = true;  ///< with friction
-  double pairs{};     ///< candidate pairs per particle
+  double pairs{};     ///< candidate pairs per particle that a step looks at
   bool mixed = true;  ///< precision
 };
 

@@ -92,6 +92,7 @@ class SpeedMeasurement {
     row.rebuilds = simulation->builds() - builds;
     row.memory = std::max(row.memory, static_cast<double>(memory.growth()) / particles);
     row.pairs = static_cast<double>(simulation->pairs()) / particles;
+    row.near = static_cast<double>(simulation->near_pairs()) / particles;
     {
       const Packing now = simulation->packing();
       row.contacts = static_cast<double>(now.contacts.size()) / particles;
@@ -114,7 +115,7 @@ class SpeedMeasurement {
     row.steps = steps_;
     row.rate = spread_of(rates_[k]);
     row.moved =
-        bytes_per_particle_step({has_friction(model(k)), row.pairs, model(k).precision == Precision::mixed});
+        bytes_per_particle_step({has_friction(model(k)), row.near, model(k).precision == Precision::mixed});
     const auto known = errors_.find(row.variant.precision);
     row.error = known != errors_.end() ? known->second : force_error(model(k), packing_, row.variant.threads);
     errors_[row.variant.precision] = row.error;

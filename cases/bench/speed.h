@@ -36,6 +36,7 @@ struct SpeedRow {
   std::int64_t steps{};                                ///< of a repeat
   Spread rate;                                         ///< million particle-steps a second
   double pairs{};                                      ///< candidate pairs per particle
+  double near{};                                       ///< those that most steps look at
   double contacts{};                                   ///< contacts per particle
   std::int64_t rebuilds{};                             ///< lists built in a repeat
   double memory{};                                     ///< bytes per particle by which the process grew

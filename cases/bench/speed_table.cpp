@@ -9,27 +9,43 @@ namespace furnas {
 
 Table speed_table(const std::vector<SpeedRow>& rows, const std::vector<double>& bandwidth) {
   Table table({"packing", "N", "mu", "precision", "threads", "Mps", "range", "B/step", "bound", "pairs/N",
-               "contacts/N", "rebuilds/steps", "B/N", "error", "worst", "mistaken", "state"});
+               "near/N", "contacts/N", "rebuilds/steps", "B/N", "error", "worst", "mistaken", "state"});
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const SpeedRow& r = rows[k];
     table.row({r.packing, fmt::format("{}", r.particles), fmt::format("{:g}", r.friction),
                r.variant.precision, fmt::format("{}", r.variant.threads),
                fmt::format("{:.3g}", r.rate.median), fmt::format("{:.3g} - {:.3g}", r.rate.low, r.rate.high),
                fmt::format("{:.0f}", r.moved), fmt::format("{:.3g}", bandwidth[k] / r.moved / 1e6),
-               fmt::format("{:.2f}", r.pairs), fmt::format("{:.2f}", r.contacts),
-               fmt::format("{}/{}", r.rebuilds, r.steps), fmt::format("{:.0f}", r.memory),
-               fmt::format("{:.1e}", r.error.median), fmt::format("{:.1e}", r.error.largest),
-               fmt::format("{:g}", r.error.mistaken()), hex(r.hash)});
+               fmt::format("{:.2f}", r.pairs), fmt::format("{:.2f}", r.near),
+               fmt::format("{:.2f}", r.contacts), fmt::format("{}/{}", r.rebuilds, r.steps),
+               fmt::format("{:.0f}", r.memory), fmt::format("{:.1e}", r.error.median),
+               fmt::format("{:.1e}", r.error.largest), fmt::format("{:g}", r.error.mistaken()), hex(r.hash)});
   }
   return table;
 }
 
 Table speed_csv(const std::vector<SpeedRow>& rows, const std::vector<double>& bandwidth) {
-  std::vector<std::string> names{"packing",      "particles",      "friction",        "precision",
-                                 "threads",      "steps",          "rate_median",     "rate_low",
-                                 "rate_high",    "bytes_per_step", "bandwidth",       "bound",
-                                 "pairs",        "contacts",       "rebuilds",        "bytes_per_particle",
-                                 "error_median", "error_largest",  "contacts_missed", "contacts_spurious",
+  std::vector<std::string> names{"packing",
+                                 "particles",
+                                 "friction",
+                                 "precision",
+                                 "threads",
+                                 "steps",
+                                 "rate_median",
+                                 "rate_low",
+                                 "rate_high",
+                                 "bytes_per_step",
+                                 "bandwidth",
+                                 "bound",
+                                 "pairs",
+                                 "near_pairs",
+                                 "contacts",
+                                 "rebuilds",
+                                 "bytes_per_particle",
+                                 "error_median",
+                                 "error_largest",
+                                 "contacts_missed",
+                                 "contacts_spurious",
                                  "state_hash"};
   std::vector<std::string> phases;
   for (const SpeedRow& row : rows)
@@ -54,6 +70,7 @@ Table speed_csv(const std::vector<SpeedRow>& rows, const std::vector<double>& ba
                                    real(bandwidth[k]),
                                    real(bandwidth[k] / r.moved / 1e6),
                                    real(r.pairs),
+                                   real(r.near),
                                    real(r.contacts),
                                    whole(r.rebuilds),
                                    real(r.memory),

@@ -24,18 +24,12 @@ class ContactKernel {
   explicit ContactKernel(const ContactLoop<S>& loop) : loop_(loop), rows_(loop) {}
 
   ContactSum operator()(std::size_t begin, std::size_t end) {
-    std::size_t i = begin;
-    const std::uint64_t last = loop_.first[end];
-    for (std::uint64_t row = loop_.first[begin]; row < last; row += block) {
-      rows_.look(i, row, last - row < block ? last : row + block, found_,
-                 [this](std::size_t a, std::size_t b, std::uint64_t k, const Vec3<double>& branch) {
-                   open(a, b, k, branch);
-                 });
-      std::size_t done = 0;
-      for (; done + batch <= found_.count; done += batch) apply<true>(done, batch);
-      if (done > 0) found_.drop_until(done);
-    }
+    if (loop_.all)
+      go_through_all(begin, end);
+    else
+      go_through_near(begin);
     if (found_.count > 0) {
+      places_ = places_ < found_.count ? found_.count : places_;
       for (std::size_t n = found_.count; n < batch; ++n) found_.copy(found_.count - 1, n);
       apply<false>(0, found_.count);
     }
@@ -45,6 +39,46 @@ class ContactKernel {
  private:
   using Real = typename S::Real;
   using R = Lanes<Real>;
+
+  /// All rows of particles [begin, end); notes which are near, if wanted.
+  void go_through_all(std::size_t begin, std::size_t end) {
+    std::size_t i = begin;
+    NearRow* const near = loop_.near == nullptr ? nullptr : loop_.near + loop_.first[begin];
+    std::size_t noted = 0;
+    const std::uint64_t last = loop_.first[end];
+    for (std::uint64_t row = loop_.first[begin]; row < last; row += block) {
+      rows_.look(i, row, last - row < block ? last : row + block, found_, opener());
+      if (near != nullptr) noted += rows_.note_near(row, near + noted);
+      apply_whole_batches();
+    }
+    if (near != nullptr) loop_.near_count[begin / contact_piece] = static_cast<std::uint32_t>(noted);
+  }
+
+  /// The near rows of the piece of particles that starts at `begin`.
+  void go_through_near(std::size_t begin) {
+    const NearRow* near = loop_.near + loop_.first[begin];
+    for (std::size_t left = loop_.near_count[begin / contact_piece]; left > 0;) {
+      const std::size_t here = left < block ? left : block;
+      rows_.look(near, here, found_, opener());
+      apply_whole_batches();
+      near += here, left -= here;
+    }
+  }
+
+  auto opener() {
+    return [this](std::size_t a, std::size_t b, std::uint64_t k, const Vec3<double>& branch) {
+      open(a, b, k, branch);
+    };
+  }
+
+  void apply_whole_batches() {
+    std::size_t done = 0;
+    for (; done + batch <= found_.count; done += batch) apply<true>(done, batch);
+    if (done == 0) return;
+    places_ = batch;
+    found_.drop_until(done);
+  }
+
   static constexpr std::size_t lanes = R::count;
   static constexpr std::size_t parts = batch / lanes;
   static_assert(batch % lanes == 0);
@@ -202,25 +236,26 @@ class ContactKernel {
   }
 
   /// The sum over the places of a batch, in their order.
-  static Vec3<double> over_places(const PartSum<R>* sums, Vec3<R> PartSum<R>::*what) {
+  Vec3<double> over_places(Vec3<R> PartSum<R>::*what) const {
     Vec3<double> total{};
-    for (std::size_t part = 0; part < parts; ++part) {
-      const Vec3<R>& v = sums[part].*what;
+    for (std::size_t part = 0; part * lanes < places_; ++part) {
+      const Vec3<R>& v = sums_[part].*what;
       Real x[lanes], y[lanes], z[lanes];
       v.x.to(x), v.y.to(y), v.z.to(z);
-      for (std::size_t l = 0; l < lanes; ++l) total += {double(x[l]), double(y[l]), double(z[l])};
+      for (std::size_t l = 0; l < lanes && part * lanes + l < places_; ++l)
+        total += {double(x[l]), double(y[l]), double(z[l])};
     }
     return total;
   }
 
   ContactSum total() const {
     ContactSum out;
-    out.x = over_places(sums_, &PartSum<R>::x);
-    out.y = over_places(sums_, &PartSum<R>::y);
-    out.z = over_places(sums_, &PartSum<R>::z);
-    const Vec3<double> diagonal = over_places(sums_, &PartSum<R>::diagonal);
-    const Vec3<double> shear = over_places(sums_, &PartSum<R>::shear);
-    const Vec3<double> lost = over_places(sums_, &PartSum<R>::lost);
+    out.x = over_places(&PartSum<R>::x);
+    out.y = over_places(&PartSum<R>::y);
+    out.z = over_places(&PartSum<R>::z);
+    const Vec3<double> diagonal = over_places(&PartSum<R>::diagonal);
+    const Vec3<double> shear = over_places(&PartSum<R>::shear);
+    const Vec3<double> lost = over_places(&PartSum<R>::lost);
     out.work = {{diagonal.x, diagonal.y, diagonal.z, shear.x, shear.y, shear.z},
                 {lost.x, lost.y, lost.z, opening_}};
     return out;
@@ -230,6 +265,7 @@ class ContactKernel {
   TouchingRows<S> rows_;
   Found<Real> found_;
   PartSum<R> sums_[parts];
+  std::size_t places_ = 0;  ///< of a batch that have been used
   double opening_ = 0;
 };
 

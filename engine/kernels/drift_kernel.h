@@ -1,22 +1,40 @@
 #pragma once
 
+#include <cstring>
+
 #include "engine/kernels/groups.h"
 #include "engine/kernels/kernels.h"
 
 namespace furnas::HWY_NAMESPACE {
 
-/// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDragStep holds it.
-template <class R>
-HWY_INLINE Vec3<R> dragged(const CellDragStep& d, const Vec3<R>& v) {
-  const Vec3<R> factor{R(d.factor.x), R(d.factor.y), R(d.factor.z)};
-  const Vec3<R> u{v.x * factor.x, v.y * factor.y, v.z * factor.z};
-  return {(u.x - (u.y * R(d.xy) + u.z * R(d.xz))) * factor.x, (u.y - u.z * R(d.yz)) * factor.y,
-          u.z * factor.z};
+/// Whether all of some bytes are 0.
+template <std::size_t count>
+HWY_INLINE bool is_nothing(const std::uint8_t* bytes) {
+  static constexpr std::uint8_t nothing[count]{};
+  return std::memcmp(bytes, nothing, count) == 0;
 }
 
+/// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDragStep holds it.
+template <class R>
+class CellDrag {
+ public:
+  explicit CellDrag(const CellDragStep& d)
+      : factor_{R(d.factor.x), R(d.factor.y), R(d.factor.z)}, yz_(d.yz), xz_(d.xz), xy_(d.xy) {}
+
+  HWY_INLINE Vec3<R> operator()(const Vec3<R>& v) const {
+    const Vec3<R> u{v.x * factor_.x, v.y * factor_.y, v.z * factor_.z};
+    return {(u.x - (u.y * xy_ + u.z * xz_)) * factor_.x, (u.y - u.z * yz_) * factor_.y, u.z * factor_.z};
+  }
+
+ private:
+  Vec3<R> factor_;
+  R yz_, xz_, xy_;
+};
+
 /// The particles of some lanes: what is kicked, and by what. If they are not as many as lanes, `whole` is
-/// false, and lanes behind the last of the `count` particles repeat it.
-template <class S, bool whole>
+/// false, and lanes behind the last of the `count` particles repeat it. If they are `free` they have no load,
+/// and their spins, which nothing changes, are left alone.
+template <class S, bool whole, bool free = false>
 struct Moving {
   using Real = typename S::Real;
   using R = Lanes<Real>;
@@ -27,7 +45,7 @@ struct Moving {
   HWY_INLINE Moving(const Particle<Real, S::spins>* particles, std::size_t count) {
     const auto v = take(particles, count, [](const auto& p) { return &p.velocity.x; });
     velocity = {v.a, v.b, v.c}, inverse_mass = v.d;
-    if constexpr (S::spins) {
+    if constexpr (turns) {
       const auto w = take(particles, count, [](const auto& p) { return &p.spin.x; });
       spin = {w.a, w.b, w.c}, inverse_inertia = w.d;
     }
@@ -35,9 +53,13 @@ struct Moving {
 
   /// Half a kick.
   HWY_INLINE void kick(const Load<Real, S::spins>* loads, std::size_t count, const R& half_step) {
+    if constexpr (free) {
+      velocity += Vec3<R>{};  // as a load of zeros does: -0 becomes 0
+      return;
+    }
     const auto f = take(loads, count, [](const auto& load) { return &load.force.x; });
     velocity += (half_step * inverse_mass) * Vec3<R>{f.a, f.b, f.c};
-    if constexpr (S::spins) {
+    if constexpr (turns) {
       const auto t = take(loads, count, [](const auto& load) { return &load.torque.x; });
       spin += (half_step * inverse_inertia) * Vec3<R>{t.a, t.b, t.c};
     }
@@ -47,12 +69,14 @@ struct Moving {
     const std::size_t all = whole ? R::count : count;
     store_groups<Real>({velocity.x, velocity.y, velocity.z, inverse_mass}, all,
                        [=](std::size_t l) { return &particles[l].velocity.x; });
-    if constexpr (S::spins)
+    if constexpr (turns)
       store_groups<Real>({spin.x, spin.y, spin.z, inverse_inertia}, all,
                          [=](std::size_t l) { return &particles[l].spin.x; });
   }
 
  private:
+  static constexpr bool turns = S::spins && !free;
+
   template <class Record, class Where>
   static HWY_INLINE Group<Real> take(const Record* records, std::size_t count, Where&& group) {
     return load_groups<Real>(
@@ -64,12 +88,14 @@ struct Moving {
 template <class S>
 class DriftKernel {
  public:
-  explicit DriftKernel(const DriftLoop<S>& loop) : loop_(loop) {}
+  explicit DriftKernel(const DriftLoop<S>& loop) : loop_(loop), drag_(loop.drag) {}
 
   double operator()(std::size_t begin, std::size_t end) {
     D longest;
-    for (; begin + lanes <= end; begin += lanes) take_on<true>(begin, lanes, longest);
-    if (begin < end) take_on<false>(begin, end - begin, longest);
+    for (; begin + lanes <= end; begin += lanes)
+      is_nothing<lanes>(loop_.loaded + begin) ? take_on<true, true>(begin, lanes, longest)
+                                              : take_on<true, false>(begin, lanes, longest);
+    if (begin < end) take_on<false, false>(begin, end - begin, longest);
     double squares[D::count];
     longest.to(squares);
     double top = 0;
@@ -83,12 +109,12 @@ class DriftKernel {
   using D = Lanes<double>;
   static constexpr std::size_t lanes = R::count;
 
-  template <bool whole>
+  template <bool whole, bool free>
   HWY_INLINE void take_on(std::size_t i, std::size_t count, D& longest) const {
     Particle<Real, S::spins>* const here = loop_.particles + i;
     if constexpr (whole) fetch_to_write(here + 3 * lanes, lanes);  // an address that is none does no harm
-    Moving<S, whole> m(here, count);
-    m.velocity = dragged(loop_.drag, m.velocity);
+    Moving<S, whole, free> m(here, count);
+    m.velocity = drag_(m.velocity);
     m.kick(loop_.loads + i, count, R(0.5 * loop_.time_step));
     m.store(here, count);
     Real x[lanes], y[lanes], z[lanes];
@@ -111,16 +137,13 @@ class DriftKernel {
     const Vec3<D> v = Vec3<D>{wide(x + first), wide(y + first), wide(z + first)} * dt;
     const Vec3<D> s{D(g.xx) * v.x + D(g.xy) * v.y + D(g.xz) * v.z, D(g.yy) * v.y + D(g.yz) * v.z,
                     D(g.zz) * v.z};
-    // A way of half a cell or more is wrapped: integers cannot hold it.
-    double part[3][D::count];
-    (s.x - D(hn::Round(s.x.v))).to(part[0]);
-    (s.y - D(hn::Round(s.y.v))).to(part[1]);
-    (s.z - D(hn::Round(s.z.v))).to(part[2]);
+    std::int64_t fixed[3][D::count];
+    to_fixed(s.x, fixed[0]), to_fixed(s.y, fixed[1]), to_fixed(s.z, fixed[2]);
     for (std::size_t l = 0; l < D::count && first + l < count; ++l) {
       Fraction& p = here[first + l].position;
-      p.x += part_to_fixed(part[0][l]);
-      p.y += part_to_fixed(part[1][l]);
-      p.z += part_to_fixed(part[2][l]);
+      p.x += static_cast<std::uint64_t>(fixed[0][l]);
+      p.y += static_cast<std::uint64_t>(fixed[1][l]);
+      p.z += static_cast<std::uint64_t>(fixed[2][l]);
     }
     const Triangle& h = loop_.list_edges;
     const Vec3<D> way{D(h.xx) * s.x + D(h.xy) * s.y + D(h.xz) * s.z, D(h.yy) * s.y + D(h.yz) * s.z,
@@ -128,7 +151,16 @@ class DriftKernel {
     return dot(way, way);
   }
 
+  /// furnas::to_fixed() of each lane: a way of half a cell or more is wrapped, for integers cannot hold it.
+  static HWY_INLINE void to_fixed(const D& s, std::int64_t* fixed) {
+    const D whole(hn::Round(((s - D(hn::Round(s.v))) * D(two_to_64)).v));
+    const D half(0.5 * two_to_64);
+    const Tag<std::int64_t> d;
+    hn::StoreU(hn::ConvertTo(d, select(whole < half, whole, -half).v), d, fixed);
+  }
+
   const DriftLoop<S>& loop_;
+  const CellDrag<R> drag_;
 };
 
 }  // namespace furnas::HWY_NAMESPACE

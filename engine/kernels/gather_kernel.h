@@ -9,24 +9,28 @@ namespace furnas::HWY_NAMESPACE {
 template <class S>
 class GatherKernel {
  public:
-  explicit GatherKernel(const GatherLoop<S>& loop) : loop_(loop) {}
+  explicit GatherKernel(const GatherLoop<S>& loop) : loop_(loop), drag_(loop.drag) {}
 
   MotionSum operator()(std::size_t begin, std::size_t end) {
     Vec3<R> diagonal[parts], shear[parts];
     for (std::size_t i = begin; i < end; i += batch) {
       const std::size_t stop = end - i < batch ? end : i + batch;
-      fetch(loop_.incoming_first[stop]);
-      if (stop + 3 * batch <= end) {
-        fetch_to_write(loop_.particles + stop + 2 * batch, batch);
-        fetch_to_write(loop_.loads + stop + 2 * batch, batch);
+      if (stop + 3 * batch <= end) fetch_to_write(loop_.particles + stop + 2 * batch, batch);
+      // Most particles of a gas, and of the rattlers of a packing, touch nothing.
+      if (i + batch == stop && is_nothing<batch>(loop_.loaded + i)) {
+        for (std::size_t part = 0; part < parts; ++part)
+          kick<true, true>(i + part * lanes, lanes, diagonal[part], shear[part]);
+        continue;
       }
+      fetch(loop_.incoming_first[stop]);
+      if (stop + 3 * batch <= end) fetch_to_write(loop_.loads + stop + 2 * batch, batch);
       for (std::size_t k = i; k < stop; ++k) sum_rows(k);
       for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t at = i + part * lanes;
         if (at + lanes <= stop)
-          kick<true>(at, lanes, diagonal[part], shear[part]);
+          kick<true, false>(at, lanes, diagonal[part], shear[part]);
         else if (at < stop)
-          kick<false>(at, stop - at, diagonal[part], shear[part]);
+          kick<false, false>(at, stop - at, diagonal[part], shear[part]);
       }
     }
     const Vec3<double> d = over_places(diagonal);
@@ -75,9 +79,10 @@ class GatherKernel {
     for (; incoming < end; ++incoming) __builtin_prefetch(loop_.rows + loop_.incoming[incoming]);
   }
 
-  /// Most particles of a gas, and of the rattlers of a packing, touch nothing.
   HWY_INLINE void sum_rows(std::size_t i) const {
-    if (loop_.contacts[i].load(std::memory_order_relaxed) == 0) {
+    const bool touches = loop_.contacts[i].load(std::memory_order_relaxed) != 0;
+    loop_.loaded[i] = touches;
+    if (!touches) {
       loop_.loads[i] = {};
       return;
     }
@@ -106,11 +111,11 @@ class GatherKernel {
   }
 
   /// Half a kick of some particles, the cell's drag, and their part of the sums.
-  template <bool whole>
+  template <bool whole, bool free>
   HWY_INLINE void kick(std::size_t at, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
-    Moving<S, whole> m(loop_.particles + at, count);
+    Moving<S, whole, free> m(loop_.particles + at, count);
     m.kick(loop_.loads + at, count, R(0.5 * loop_.time_step));
-    m.velocity = dragged(loop_.drag, m.velocity);
+    m.velocity = drag_(m.velocity);
     m.store(loop_.particles + at, count);
     const R mass = R(1) / m.inverse_mass;
     const Vec3<R>& v = m.velocity;
@@ -138,6 +143,7 @@ class GatherKernel {
   }
 
   const GatherLoop<S>& loop_;
+  const CellDrag<R> drag_;
 };
 
 }  // namespace furnas::HWY_NAMESPACE

@@ -6,10 +6,15 @@
 #include "engine/laws/any_law.h"
 #include "engine/state/cell.h"
 #include "engine/state/ledger.h"
+#include "engine/state/near_rows.h"
 #include "engine/state/pair_list.h"
 #include "engine/state/records.h"
 
 namespace furnas {
+
+/// Particles of a call of Kernels::contacts: pieces of particles, not of rows, so that the order of the sums
+/// does not depend on the skin.
+inline constexpr std::size_t contact_piece = 128;
 
 /// What the loop over contacts reads and writes: plain pointers into State.
 template <class S>
@@ -31,6 +36,11 @@ struct ContactLoop {
   Spring<Real>* springs;
   std::uint8_t* touching;
   ContactCount* contacts;
+  std::uint8_t* loaded;       ///< as in Memory
+  bool all;                   ///< go through all rows, not the near ones alone
+  Skin near_skin;             ///< as in NearRows
+  NearRow* near;              ///< as in NearRows; null while none are noted
+  std::uint32_t* near_count;  ///< as in NearRows
 };
 
 /// What a piece of the contacts adds up.
@@ -56,8 +66,9 @@ struct DriftLoop {
 
   double time_step;  ///< [time]
   CellDragStep drag;
-  Triangle to_fraction;  ///< inverse of the cell's edges [1/d_s]
-  Triangle list_edges;   ///< of the cell when the list was built [d_s]
+  Triangle to_fraction;        ///< inverse of the cell's edges [1/d_s]
+  Triangle list_edges;         ///< of the cell when the list was built [d_s]
+  const std::uint8_t* loaded;  ///< as in Memory
   const Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };
@@ -75,6 +86,7 @@ struct GatherLoop {
   std::uint64_t rows_end;           ///< number of rows
   const Row<Real, S::spins>* rows;
   const ContactCount* contacts;
+  std::uint8_t* loaded;  ///< as in Memory
   Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };

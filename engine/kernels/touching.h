@@ -4,6 +4,7 @@
 #include <immintrin.h>
 #endif
 
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -65,10 +66,49 @@ class TouchingRows {
   template <class Parted>
   void look(std::size_t& i, std::uint64_t row, std::uint64_t stop, Found<Real>& found, Parted&& parted) {
     fetch(stop, stop + block < loop_.rows_end ? stop + block : loop_.rows_end);
-    take(i, row, stop);
-    compare(row);
+    name_owners(i, row, stop);
+    count_ = stop - row;
+    for (std::size_t n = 0; n < count_; ++n) j_[n] = std::uint64_t{8} * loop_.partner[row + n];
+    static_assert(sizeof(Quarter) == sizeof(quarter_[0]));
+    if (loop_.quarter != nullptr) std::memcpy(quarter_, loop_.quarter + row, count_ * sizeof(Quarter));
+    take();
+    compare<false>(row);
     note_changes(row, parted);
     append(found);
+  }
+
+  /// The same of `count` near rows, a block at most.
+  template <class Parted>
+  void look(const NearRow* near, std::size_t count, Found<Real>& found, Parted&& parted) {
+    count_ = count;
+    for (std::size_t n = 0; n < count; ++n) {
+      i_[n] = std::uint64_t{8} * near[n].i;
+      j_[n] = std::uint64_t{8} * near[n].j;
+      row_[n] = std::uint64_t{4} * near[n].row;
+      if (loop_.quarter != nullptr) std::memcpy(quarter_ + n, loop_.quarter + near[n].row, sizeof(Quarter));
+    }
+    take();
+    compare<true>(0);
+    for (std::size_t n = 0; n < count; ++n) note_change(n, near[n].row, parted);
+    append(found);
+  }
+
+  /// Notes which of the rows looked at last, the first of which is `row`, are near; answers how many.
+  std::size_t note_near(std::uint64_t row, NearRow* near) const {
+    const D wider(1 + loop_.near_skin.relative);
+    const D fixed(loop_.near_skin.fixed);
+    std::size_t noted = 0;
+    for (std::size_t n = 0; n < count_; n += lanes) {
+      const D reach = wider * D::from(reach_ + n) + fixed;
+      unsigned bits = bits_of(D::from(all_square_ + n) < reach * reach);
+      for (; bits != 0; bits &= bits - 1) {
+        const std::size_t k = n + static_cast<std::size_t>(__builtin_ctz(bits));
+        if (k >= count_) break;
+        near[noted++] = {static_cast<RowNumber>(row + k), static_cast<std::uint32_t>(i_[k] / 8),
+                         static_cast<std::uint32_t>(j_[k] / 8)};
+      }
+    }
+    return noted;
   }
 
  private:
@@ -88,13 +128,9 @@ class TouchingRows {
     }
   }
 
-  /// Differences of positions of the rows [row, stop).
-  void take(std::size_t& i, std::uint64_t row, std::uint64_t stop) {
-    name_owners(i, row, stop);
-    count_ = stop - row;
-    const std::uint32_t* const partner = loop_.partner + row;
+  /// Differences of positions of the candidates.
+  void take() {
     for (std::size_t n = 0; n < count_; ++n) {
-      j_[n] = std::uint64_t{8} * partner[n];
       const auto& p = record<8>(loop_.particles, i_[n]);
       const auto& q = record<8>(loop_.particles, j_[n]);
       fixed_[0][n] = static_cast<std::int64_t>(p.position.x - q.position.x);
@@ -102,8 +138,6 @@ class TouchingRows {
       fixed_[2][n] = static_cast<std::int64_t>(p.position.z - q.position.z);
       reach_[n] = static_cast<double>(p.radius) + static_cast<double>(q.radius);
     }
-    static_assert(sizeof(Quarter) == sizeof(quarter_[0]));
-    if (loop_.quarter != nullptr) std::memcpy(quarter_, loop_.quarter + row, count_ * sizeof(Quarter));
     for (std::size_t k = count_; k < count_ + lanes; ++k) {
       fixed_[0][k] = fixed_[1][k] = fixed_[2][k] = 0;
       quarter_[k] = 0;
@@ -144,7 +178,9 @@ class TouchingRows {
     return d + D(hn::Round((quarter - d).v));
   }
 
-  /// Branches, and which of them are shorter than the reach: those, close together.
+  /// Branches, and which of them are shorter than the reach: those, close together. Rows are those of `row_`,
+  /// or count on from `first`.
+  template <bool named>
   void compare(std::uint64_t first) {
     const Triangle& h = loop_.edges;
     const D xx(h.xx), yy(h.yy), zz(h.zz), yz(h.yz), xz(h.xz), xy(h.xy);
@@ -163,12 +199,14 @@ class TouchingRows {
       const D square = x * x + y * y + z * z;
       const D reach = D::from(reach_ + n);
       const unsigned touch = bits_of(square < reach * reach);
+      square.to(all_square_ + n);
       bits_[n / lanes] = static_cast<std::uint8_t>(touch);
       pack(x, touch, x_ + touching_), pack(y, touch, y_ + touching_), pack(z, touch, z_ + touching_);
       pack(square, touch, square_ + touching_), pack(reach, touch, near_reach_ + touching_);
       pack(D::from_bits(i_ + n), touch, near_i_ + touching_),
           pack(D::from_bits(j_ + n), touch, near_j_ + touching_);
-      pack(D(hn::BitCast(Tag<double>(), here)), touch, near_row_ + touching_);
+      pack(named ? D::from_bits(row_ + n) : D(hn::BitCast(Tag<double>(), here)), touch,
+           near_row_ + touching_);
       here = hn::Add(here, next);
       touching_ += static_cast<std::size_t>(__builtin_popcount(touch));
     }
@@ -194,18 +232,24 @@ class TouchingRows {
       else
         for (std::size_t k = 0; k < here; ++k) reinterpret_cast<std::uint8_t*>(&before)[k] = flags[n + k];
       if (before == now) continue;
-      for (std::size_t k = 0; k < here; ++k) {
-        const std::uint8_t touches = (bits_[n / lanes] >> k) & 1;
-        if (flags[n + k] == touches) continue;
-        const std::uint64_t i = i_[n + k] / 8;
-        const std::uint32_t j = loop_.partner[first + n + k];
-        if (touches == 0) parted(i, j, first + n + k, branch(n + k));
-        const std::uint32_t more = touches != 0 ? 1 : ~std::uint32_t{0};
-        loop_.contacts[i].fetch_add(more, std::memory_order_relaxed);
-        loop_.contacts[j].fetch_add(more, std::memory_order_relaxed);
-        flags[n + k] = touches;
-      }
+      for (std::size_t k = n; k < n + here; ++k) note_change(k, first + k, parted);
     }
+  }
+
+  /// The same of candidate `n`, which stands in `row`.
+  template <class Parted>
+  void note_change(std::size_t n, std::uint64_t row, Parted& parted) {
+    const std::uint8_t touches = (bits_[n / lanes] >> n % lanes) & 1;
+    if (loop_.touching[row] == touches) return;
+    const std::uint64_t i = i_[n] / 8;
+    const std::uint64_t j = j_[n] / 8;
+    if (touches == 0) parted(i, j, row, branch(n));
+    const std::uint32_t more = touches != 0 ? 1 : ~std::uint32_t{0};
+    for (const std::uint64_t k : {i, j}) {
+      loop_.contacts[k].fetch_add(more, std::memory_order_relaxed);
+      std::atomic_ref(loop_.loaded[k]).store(1, std::memory_order_relaxed);
+    }
+    loop_.touching[row] = touches;
   }
 
   /// Each of eight bits as a byte.
@@ -268,6 +312,8 @@ class TouchingRows {
   std::int32_t quarter_[block + margin];                              ///< of the image, as bytes
   double reach_[block + margin];                                      ///< R_i + R_j [d_s]
   std::uint64_t i_[block + margin], j_[block + margin];               ///< particles, times 8
+  std::uint64_t row_[block + margin];                                 ///< rows, times 4, of near rows
+  double all_square_[block + margin];                                 ///< |branch|^2 [d_s^2]
   std::uint8_t bits_[block / lanes + 8];                              ///< which lanes touch
   double x_[block + margin], y_[block + margin], z_[block + margin];  ///< branches of those that touch [d_s]
   double square_[block + margin], near_reach_[block + margin];

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/model.h"
+#include "engine/state/near_rows.h"
 #include "engine/state/state.h"
 
 namespace furnas {
@@ -15,6 +16,6 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                     const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
-                    Eigen::Matrix3d& stress, ContactWork& work);
+                    NearRows& near, Eigen::Matrix3d& stress, ContactWork& work);
 
 }  // namespace furnas

@@ -26,12 +26,17 @@ CellDragStep cell_drag(const Barostat& bath, const Triangle& rate, std::size_t c
 
 template <class Scene>
 void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
+                    const Memory<typename Scene::Real>& memory,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     LongestWay& longest_way) {
-  const DriftLoop<Scene> loop{time_step,           cell_drag(bath, cell.rate, particles.size(), time_step),
-                              inverse(cell.edges), pairs.edges,
-                              loads.data(),        particles.data()};
+  const DriftLoop<Scene> loop{time_step,
+                              cell_drag(bath, cell.rate, particles.size(), time_step),
+                              inverse(cell.edges),
+                              pairs.edges,
+                              memory.loaded.data(),
+                              loads.data(),
+                              particles.data()};
   const auto kernel = kernels<Scene>().drift;
   longest_way.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
@@ -47,7 +52,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                      const Rows<typename Scene::Real, Scene::spins>& rows,
-                     const Memory<typename Scene::Real>& memory,
+                     Memory<typename Scene::Real>& memory,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion) {
@@ -59,6 +64,7 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                                pairs.rows(),
                                rows.data(),
                                memory.contacts.data(),
+                               memory.loaded.data(),
                                loads.data(),
                                particles.data()};
   const auto kernel = kernels<Scene>().gather;
@@ -67,13 +73,13 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                                      \
-  template void kick_and_drift<Scene<Law, Real>>(                                                          \
-      const Barostat&, const double&, const Cell&, const PairList&,                                        \
-      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&);  \
-  template void gather_and_kick<Scene<Law, Real>>(                                                         \
-      const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,         \
-      const Memory<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, \
+#define FURNAS_INSTANTIATE(Law, Real)                                                                     \
+  template void kick_and_drift<Scene<Law, Real>>(                                                         \
+      const Barostat&, const double&, const Cell&, const PairList&, const Memory<Real>&,                  \
+      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&); \
+  template void gather_and_kick<Scene<Law, Real>>(                                                        \
+      const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,        \
+      Memory<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&,      \
       Eigen::Matrix3d&);
 FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE

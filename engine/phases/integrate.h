@@ -14,6 +14,7 @@ using LongestWay = std::vector<double>;
 /// First half of the step for the particles: cell's drag on peculiar velocities, half a kick, drift.
 template <class Scene>
 void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
+                    const Memory<typename Scene::Real>& memory,
                     const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                     LongestWay& longest_way);
@@ -24,7 +25,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
 template <class Scene>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                      const Rows<typename Scene::Real, Scene::spins>& rows,
-                     const Memory<typename Scene::Real>& memory,
+                     Memory<typename Scene::Real>& memory,
                      std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
                      std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
                      Eigen::Matrix3d& motion);

@@ -1,11 +1,13 @@
 #include "engine/phases/renew_list.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "engine/base/parallel.h"
 #include "engine/search/find_pairs.h"
 #include "engine/search/merge.h"
+#include "engine/search/near_rows.h"
 
 namespace furnas {
 
@@ -83,6 +85,30 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
   rows.assign(pairs.rows(), {});
   wear.travelled.assign(pairs.classes.size(), 0);
   wear.suspect = wear.worn = false;
+}
+
+void watch_near_rows(const std::int64_t& step, const double& time_step, const LongestWay& longest_way,
+                     const Cell& cell, const PairList& pairs, NearRows& near) {
+  double motion = 0;
+  for (double square : longest_way) motion = std::max(motion, 2 * std::sqrt(square));
+  if (near.builds == pairs.builds) {
+    if (near.kept) {
+      // Ways are measured in the cell of the list.
+      const double stretch = 1 + strain_between(pairs.edges, near.edges);
+      for (std::size_t c = 0; c < longest_way.size(); ++c)
+        near.travelled[c] += stretch * std::sqrt(longest_way[c]);
+      near.worn = !rows_are_complete(pairs.classes, near.skin, near.edges, near.travelled,
+                                     shrinkage_bound(cell.edges, near.edges));
+    }
+    if (!near.worn || (!near.kept && !is_time_to_ask(pairs, step))) return;
+  }
+  near.builds = pairs.builds;
+  near.worn = true;
+  near.edges = cell.edges;
+  near.travelled.assign(pairs.classes.size(), 0);
+  const Triangle& e = cell.rate;
+  const double strain = time_step * std::hypot(std::hypot(e.xx, e.yy, e.zz), std::hypot(e.yz, e.xz, e.xy));
+  choose_near_skin(pairs, motion, strain, near);
 }
 
 #define FURNAS_INSTANTIATE(Law, Real)                                                                        \

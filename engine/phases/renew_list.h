@@ -6,6 +6,7 @@
 #include "engine/phases/integrate.h"
 #include "engine/search/grid.h"
 #include "engine/search/wear.h"
+#include "engine/state/near_rows.h"
 #include "engine/state/state.h"
 
 namespace furnas {
@@ -42,5 +43,9 @@ template <class Scene>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                 Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
                 std::vector<Image>& image, Wear& wear);
+
+/// Adds the longest ways of this step to those of the near rows, and says whether they must be noted anew.
+void watch_near_rows(const std::int64_t& step, const double& time_step, const LongestWay& longest_way,
+                     const Cell& cell, const PairList& pairs, NearRows& near);
 
 }  // namespace furnas

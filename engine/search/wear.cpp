@@ -19,20 +19,25 @@ Eigen::Matrix3d dense(const Triangle& t) {
 }  // namespace
 
 bool list_is_complete(const PairList& list, const std::vector<double>& travelled, double shrunk) {
+  return rows_are_complete(list.classes, list.skin, list.edges, travelled, shrunk);
+}
+
+bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
+                       const std::vector<double>& travelled, double shrunk) {
   if (shrunk >= 1) return false;
-  const Vec3<double> height = heights(list.edges);
+  const Vec3<double> height = heights(edges);
   // A row tells images apart up to 3/8 of a cell.
   const double furthest = 0.25 * std::min({height.x, height.y, height.z});
-  for (std::size_t a = 0; a < list.classes.size(); ++a) {
-    for (std::size_t b = a; b < list.classes.size(); ++b) {
+  for (std::size_t a = 0; a < classes.size(); ++a) {
+    for (std::size_t b = a; b < classes.size(); ++b) {
       const double moved = travelled[a] + travelled[b];
       const auto holds = [&](double radii) {
-        const double reach = radii + list.skin(radii);
+        const double reach = radii + skin(radii);
         return moved <= furthest && (1 - shrunk) * (reach - moved) >= radii;
       };
       // The condition is linear in the radii, so the ends of their range decide.
-      if (!holds(list.classes[a].smallest_radius + list.classes[b].smallest_radius) ||
-          !holds(list.classes[a].largest_radius + list.classes[b].largest_radius))
+      if (!holds(classes[a].smallest_radius + classes[b].smallest_radius) ||
+          !holds(classes[a].largest_radius + classes[b].largest_radius))
         return false;
     }
   }

@@ -20,6 +20,10 @@ struct Wear {
 /// (1 - e) (R_i + R_j + skin - u_i - u_j) apart, with e the shrinkage of the cell since the build.
 bool list_is_complete(const PairList& list, const std::vector<double>& travelled, double shrinkage);
 
+/// The same of any rows that were chosen by this skin in this cell.
+bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
+                       const std::vector<double>& travelled, double shrinkage);
+
 /// 1 - the smallest singular value of F = edges_now edges_then^-1: no distance that moves with the cell
 /// has shrunk by a larger share.
 double shrinkage(const Triangle& now, const Triangle& then);

@@ -25,12 +25,14 @@ struct Memory {
   std::vector<Spring<Real>> springs;   ///< one a pair; zero while it does not touch; empty without friction
   std::vector<std::uint8_t> touching;  ///< one a pair: 1 if it touched in the last step
   std::vector<ContactCount> contacts;  ///< one a particle: pairs of its that touched in the last step
+  std::vector<std::uint8_t> loaded;    ///< one a particle: 0 only if it touches nothing and its load is zero
 
   /// A memory of pairs that have never touched.
   void clear(std::size_t pairs, std::size_t particles, bool friction) {
     springs.assign(friction ? pairs : 0, {});
     touching.assign(pairs, 0);
     contacts = std::vector<ContactCount>(particles);
+    loaded.assign(particles, 1);
   }
 
   /// Notes that row `k`, of particles i and j, touches.

@@ -30,8 +30,8 @@ TEST(Step, OfAMovingCellIsAChain) {
   EXPECT_THAT(step.titles(),
               ElementsAre("kick the cell", "book the drag", "stretch the cell", "kick and drift",
                           "stretch the cell", "watch the wear", "measure the wear", "bin the particles",
-                          "search the pairs", "adopt the list", "contact forces", "book the contacts",
-                          "gather and kick", "book the drag", "kick the cell"));
+                          "search the pairs", "adopt the list", "watch the near rows", "contact forces",
+                          "book the contacts", "gather and kick", "book the drag", "kick the cell"));
   EXPECT_THAT(step.waits_for(0), IsEmpty());
   std::size_t last = 0;
   for (std::size_t k = 1; k < step.titles().size(); ++k) {

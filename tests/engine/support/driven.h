@@ -57,8 +57,8 @@ class Driven {
   void advance(std::int64_t steps) {
     for (std::int64_t n = 0; n < steps; ++n) {
       LongestWay unused;
-      kick_and_drift<S>(model_.barostat, model_.time_step, state_.cell, state_.pairs, state_.loads,
-                        state_.particles, unused);
+      kick_and_drift<S>(model_.barostat, model_.time_step, state_.cell, state_.pairs, state_.memory,
+                        state_.loads, state_.particles, unused);
       ++state_.step;
       gather(model_.time_step);
     }
@@ -83,12 +83,13 @@ class Driven {
   /// then this one's own.
   void gather(double time_step) {
     contact_forces<S>(model_, time_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                      state_.rows, state_.memory, state_.stress.contacts, work_);
+                      state_.rows, state_.memory, every_row_, state_.stress.contacts, work_);
     gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows, state_.memory,
                        state_.loads, state_.particles, state_.stress.motion);
     for (std::size_t k = 0; k < state_.particles.size(); ++k) {
       const Vec3<double> force = push_(k, position(k), time());
       state_.loads[k].force += force;
+      state_.memory.loaded[k] = 1;
       auto& p = state_.particles[k];
       p.velocity += (0.5 * time_step * p.inverse_mass) * force;
     }
@@ -97,6 +98,7 @@ class Driven {
   Model model_;
   Push push_;
   State<S> state_;
+  NearRows every_row_;
   ContactWork work_;
 };
 

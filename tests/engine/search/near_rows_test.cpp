@@ -1,0 +1,110 @@
+#include "engine/search/near_rows.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/support/compaction.h"
+#include "tests/engine/support/property.h"
+#include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/same_packing.h"
+
+namespace furnas {
+namespace {
+
+PairList list_of(const Skin& skin, std::size_t rows = 0) {
+  PairList list;
+  list.classes = {{.first = 0, .last = 1000, .smallest_radius = 0.5, .largest_radius = 0.5}};
+  list.skin = skin;
+  list.partner.resize(rows);
+  return list;
+}
+
+// A skin s lasts s/motion steps, and the rows within it are s/wide of the list's: s = sqrt(wide motion)
+// makes 1/life + s/wide least.
+TEST(NearRows, LastAsLongAsIsCheapest) {
+  const double wide = 0.1, motion = 1e-4, strain = 1e-5;
+  NearRows near;
+  choose_near_skin(list_of({wide, wide}), motion, strain, near);
+  EXPECT_TRUE(near.kept);
+  const double margin = std::sqrt(1.2);
+  EXPECT_NEAR(near.skin.fixed, margin * std::sqrt(wide * motion), 1e-15);
+  EXPECT_NEAR(near.skin.relative, margin * 1e-3, 1e-15);
+}
+
+TEST(NearRows, AreNotKeptUnderAListThatSoonWearsOut) {
+  NearRows near;
+  choose_near_skin(list_of({0.1, 0}), 0.01, 0, near);
+  EXPECT_FALSE(near.kept);
+  choose_near_skin(list_of({0, 0}), 0, 0, near);
+  EXPECT_FALSE(near.kept) << "a list without room";
+}
+
+TEST(NearRows, KeepSomeRoomWhenNothingMoves) {
+  NearRows near;
+  choose_near_skin(list_of({0.1, 0.01}), 0, 0, near);
+  EXPECT_TRUE(near.kept);
+  EXPECT_DOUBLE_EQ(near.skin.fixed, 1e-3);
+  EXPECT_DOUBLE_EQ(near.skin.relative, 1e-4);
+}
+
+TEST(NearRows, AreGivenUpWhereMostRowsAreNear) {
+  const PairList list = list_of({0.1, 0}, 100);
+  NearRows near;
+  near.kept = true;
+  near.rows.resize(100);
+  near.count = {20, 40};
+  weigh_near_rows(list, near);
+  EXPECT_TRUE(near.kept);
+  EXPECT_EQ(near_rows(list, near), 60u);
+  near.count = {21, 40};
+  weigh_near_rows(list, near);
+  EXPECT_FALSE(near.kept);
+  EXPECT_EQ(near_rows(list, near), 100u);
+  EXPECT_TRUE(near.rows.empty());
+}
+
+// A simulation that has just been loaded looks at all rows: step by step it must agree with one that looks at
+// near rows alone, in hot gases under violent strain.
+TEST(NearRows, ChangeNoBit) {
+  std::int64_t steps = 0;
+  std::int64_t with_fewer = 0;
+  EXPECT_TRUE(test::holds(60, [&] {
+    test::Dice dice(test::any_seed());
+    test::RandomPacking wanted;
+    wanted.size_ratio = *rc::gen::element(1, 3, 10);
+    wanted.large = *rc::gen::inRange<std::size_t>(1, 3);
+    wanted.small = *rc::gen::inRange<std::size_t>(1, 60);
+    wanted.cell = wanted.size_ratio * dice.between(0.8, 6);
+    wanted.speed = dice.between(0, 1);
+    Packing start = test::random_packing(dice, wanted);
+    const double strain = dice.between(0, 0.1);
+    const auto rate = [&] { return dice.between(-strain, strain); };
+    start.cell.rate = {rate(), rate(), rate(), rate(), rate(), rate()};
+    Model model = test::hasty_model(dice.chance(0.5) ? 0.3 : 0);
+    model.precision = dice.chance(0.5) ? Precision::mixed : Precision::full;
+    model.barostat.inertia = 1e4 * wanted.size_ratio * wanted.size_ratio;
+    model.skin = dice.between(0, 2);
+    const auto simulation = make_simulation(model, start);
+    const auto fresh = make_simulation(model, start);
+    for (int step = 0; step < 150 && simulation->cell().volume() > 0.3 * start.cell.volume(); ++step) {
+      fresh->load(simulation->packing());
+      fresh->advance(1);
+      simulation->advance(1);
+      RC_ASSERT(test::same_packing(simulation->packing(), fresh->packing()));
+      ++steps;
+      with_fewer += simulation->near_pairs() < simulation->pairs();
+    }
+  }));
+  EXPECT_GT(with_fewer, steps / 4);
+  EXPECT_LT(with_fewer, steps);
+}
+
+TEST(NearRows, AreFewInAGas) {
+  Model slow = test::hasty_model(0.3);
+  slow.barostat.pressure = 1e-4;
+  const auto simulation = make_simulation(slow, test::hasty_gas());
+  simulation->advance(100);
+  EXPECT_LT(simulation->near_pairs(), simulation->pairs() / 2);
+}
+
+}  // namespace
+}  // namespace furnas
