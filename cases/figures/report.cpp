@@ -86,7 +86,7 @@ Written by `furnas figures`. Means are those of jammed samples alone; intervals 
       "Where the small spheres rattle only the large ones count.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";
-  for (const Figure& f : figures) text += fmt::format("\n![{}]({}.png)\n\n{}\n", f.name, f.name, f.caption);
+  for (const Figure& f : figures) text += fmt::format("\n![{}]({}.svg)\n\n{}\n", f.name, f.name, f.caption);
   return text;
 }
 

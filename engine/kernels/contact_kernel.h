@@ -65,6 +65,7 @@ class ContactKernel {
     }
   }
 
+  /// What happens to contacts that open.
   auto opener() {
     return [this](std::size_t a, std::size_t b, std::uint64_t k, const Vec3<double>& branch) {
       open(a, b, k, branch);

@@ -100,7 +100,7 @@ class TouchingRows {
     std::size_t noted = 0;
     for (std::size_t n = 0; n < count_; n += lanes) {
       const D reach = wider * D::from(reach_ + n) + fixed;
-      unsigned bits = bits_of(D::from(all_square_ + n) < reach * reach);
+      unsigned bits = bits_of(D::from(square_ + n) < reach * reach);
       for (; bits != 0; bits &= bits - 1) {
         const std::size_t k = n + static_cast<std::size_t>(__builtin_ctz(bits));
         if (k >= count_) break;
@@ -199,14 +199,15 @@ class TouchingRows {
       const D square = x * x + y * y + z * z;
       const D reach = D::from(reach_ + n);
       const unsigned touch = bits_of(square < reach * reach);
-      square.to(all_square_ + n);
+      square.to(square_ + n);
       bits_[n / lanes] = static_cast<std::uint8_t>(touch);
-      pack(x, touch, x_ + touching_), pack(y, touch, y_ + touching_), pack(z, touch, z_ + touching_);
-      pack(square, touch, square_ + touching_), pack(reach, touch, near_reach_ + touching_);
-      pack(D::from_bits(i_ + n), touch, near_i_ + touching_),
-          pack(D::from_bits(j_ + n), touch, near_j_ + touching_);
+      pack(x, touch, touch_.x + touching_), pack(y, touch, touch_.y + touching_),
+          pack(z, touch, touch_.z + touching_);
+      pack(square, touch, touch_.square + touching_), pack(reach, touch, touch_.reach + touching_);
+      pack(D::from_bits(i_ + n), touch, touch_.i + touching_),
+          pack(D::from_bits(j_ + n), touch, touch_.j + touching_);
       pack(named ? D::from_bits(row_ + n) : D(hn::BitCast(Tag<double>(), here)), touch,
-           near_row_ + touching_);
+           touch_.row + touching_);
       here = hn::Add(here, next);
       touching_ += static_cast<std::size_t>(__builtin_popcount(touch));
     }
@@ -283,42 +284,43 @@ class TouchingRows {
 
   void append(Found<Real>& found) {
     for (std::size_t k = touching_; k < touching_ + lanes; ++k)  // whole lanes of numbers
-      x_[k] = y_[k] = z_[k] = square_[k] = near_reach_[k] = 1;
+      touch_.x[k] = touch_.y[k] = touch_.z[k] = touch_.square[k] = touch_.reach[k] = 1;
     for (std::size_t n = 0; n < touching_; n += lanes) {
       const std::size_t to = found.count + n;
-      const D reach = D::from(near_reach_ + n);
-      D square = D::from(square_ + n);
+      const D reach = D::from(touch_.reach + n);
+      D square = D::from(touch_.square + n);
       // Centres that coincide have no normal; they part along x.
       const auto coincide = square == D(0);
-      const D x = select(coincide, D(1e-9) * reach, D::from(x_ + n));
+      const D x = select(coincide, D(1e-9) * reach, D::from(touch_.x + n));
       square = select(coincide, x * x, square);
       const D distance = sqrt(square);
       narrow(x, found.x + to);
-      narrow(D::from(y_ + n), found.y + to);
-      narrow(D::from(z_ + n), found.z + to);
+      narrow(D::from(touch_.y + n), found.y + to);
+      narrow(D::from(touch_.z + n), found.z + to);
       narrow(distance, found.distance + to);
       narrow(reach - distance, found.overlap + to);
     }
-    std::memcpy(found.i + found.count, near_i_, touching_ * 8);
-    std::memcpy(found.j + found.count, near_j_, touching_ * 8);
-    std::memcpy(found.row + found.count, near_row_, touching_ * 8);
+    std::memcpy(found.i + found.count, touch_.i, touching_ * 8);
+    std::memcpy(found.j + found.count, touch_.j, touching_ * 8);
+    std::memcpy(found.row + found.count, touch_.row, touching_ * 8);
     found.count += touching_;
   }
 
   const ContactLoop<S>& loop_;
-  std::size_t count_ = 0;                                             ///< candidates of the block
-  std::size_t touching_ = 0;                                          ///< of them
-  std::int64_t fixed_[3][block + margin];                             ///< s_i - s_j [2^-64]
-  std::int32_t quarter_[block + margin];                              ///< of the image, as bytes
-  double reach_[block + margin];                                      ///< R_i + R_j [d_s]
-  std::uint64_t i_[block + margin], j_[block + margin];               ///< particles, times 8
-  std::uint64_t row_[block + margin];                                 ///< rows, times 4, of near rows
-  double all_square_[block + margin];                                 ///< |branch|^2 [d_s^2]
-  std::uint8_t bits_[block / lanes + 8];                              ///< which lanes touch
-  double x_[block + margin], y_[block + margin], z_[block + margin];  ///< branches of those that touch [d_s]
-  double square_[block + margin], near_reach_[block + margin];
-  double near_i_[block + margin], near_j_[block + margin],
-      near_row_[block + margin];  ///< whole numbers, bit by bit
+  std::size_t count_ = 0;                                ///< candidates of the block
+  std::size_t touching_ = 0;                             ///< of them
+  std::int64_t fixed_[3][block + margin];                ///< s_i - s_j [2^-64]
+  std::int32_t quarter_[block + margin];                 ///< of the image, as bytes
+  double reach_[block + margin];                         ///< R_i + R_j [d_s]
+  std::uint64_t i_[block + margin], j_[block + margin];  ///< particles, times 8
+  std::uint64_t row_[block + margin];                    ///< rows, times 4, of near rows
+  double square_[block + margin];                        ///< |branch|^2 [d_s^2]
+  std::uint8_t bits_[block / lanes + 8];                 ///< which lanes touch
+  struct Touching {
+    double x[block + margin], y[block + margin], z[block + margin];    ///< branch [d_s]
+    double square[block + margin], reach[block + margin];              ///< as above
+    double i[block + margin], j[block + margin], row[block + margin];  ///< whole numbers, bit by bit
+  } touch_;                                                            ///< those that touch, close together
 };
 
 }  // namespace furnas::HWY_NAMESPACE

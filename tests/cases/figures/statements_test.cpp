@@ -182,7 +182,7 @@ TEST(Report, ShowsEachStatementAndFigure) {
   const auto figures = figures_of(study);
   const std::string text = report(study, figures);
   for (const Statement& s : statements_of(study)) EXPECT_THAT(text, HasSubstr(s.what));
-  for (const Figure& f : figures) EXPECT_THAT(text, HasSubstr("](" + f.name + ".png)"));
+  for (const Figure& f : figures) EXPECT_THAT(text, HasSubstr("](" + f.name + ".svg)"));
 }
 
 TEST(Figures, AreThoseOfThePaper) {

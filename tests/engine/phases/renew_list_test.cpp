@@ -4,9 +4,7 @@
 
 #include "tests/engine/phases/crystal.h"
 #include "tests/engine/support/brute_force.h"
-#include "tests/engine/support/compaction.h"
-#include "tests/engine/support/property.h"
-#include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/hot_gas.h"
 
 namespace furnas {
 namespace {
@@ -28,18 +26,7 @@ std::size_t wrong_contacts(const Packing& p) {
 TEST(RenewList, HasEveryContactInEveryStep) {
   EXPECT_TRUE(test::holds(60, [] {
     test::Dice dice(test::any_seed());
-    test::RandomPacking wanted;
-    wanted.size_ratio = *rc::gen::element(1, 3, 10);
-    wanted.large = *rc::gen::inRange<std::size_t>(1, 3);
-    wanted.small = *rc::gen::inRange<std::size_t>(1, 40);
-    wanted.cell = wanted.size_ratio * dice.between(0.8, 6);
-    wanted.speed = dice.between(0, 2);
-    Packing start = test::random_packing(dice, wanted);
-    const double strain = dice.between(0, 0.2);
-    const auto rate = [&] { return dice.between(-strain, strain); };
-    start.cell.rate = {rate(), rate(), rate(), rate(), rate(), rate()};
-    Model model = test::hasty_model(dice.chance(0.5) ? 0.3 : 0);
-    model.barostat.inertia = 1e4 * wanted.size_ratio * wanted.size_ratio;
+    auto [start, model] = test::hot_gas(dice, 1);
     if (dice.chance(0.5)) model.skin = dice.between(0, 1);
     const auto simulation = make_simulation(model, start);
     for (int step = 0; step < 150 && simulation->cell().volume() > 0.3 * start.cell.volume(); ++step) {

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/support/compaction.h"
-#include "tests/engine/support/property.h"
-#include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/hot_gas.h"
 #include "tests/engine/support/same_packing.h"
 
 namespace furnas {
@@ -69,19 +67,8 @@ TEST(NearRows, ChangeNoBit) {
   std::int64_t with_fewer = 0;
   EXPECT_TRUE(test::holds(60, [&] {
     test::Dice dice(test::any_seed());
-    test::RandomPacking wanted;
-    wanted.size_ratio = *rc::gen::element(1, 3, 10);
-    wanted.large = *rc::gen::inRange<std::size_t>(1, 3);
-    wanted.small = *rc::gen::inRange<std::size_t>(1, 60);
-    wanted.cell = wanted.size_ratio * dice.between(0.8, 6);
-    wanted.speed = dice.between(0, 1);
-    Packing start = test::random_packing(dice, wanted);
-    const double strain = dice.between(0, 0.1);
-    const auto rate = [&] { return dice.between(-strain, strain); };
-    start.cell.rate = {rate(), rate(), rate(), rate(), rate(), rate()};
-    Model model = test::hasty_model(dice.chance(0.5) ? 0.3 : 0);
+    auto [start, model] = test::hot_gas(dice, 0.5);
     model.precision = dice.chance(0.5) ? Precision::mixed : Precision::full;
-    model.barostat.inertia = 1e4 * wanted.size_ratio * wanted.size_ratio;
     model.skin = dice.between(0, 2);
     const auto simulation = make_simulation(model, start);
     const auto fresh = make_simulation(model, start);
