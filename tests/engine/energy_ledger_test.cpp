@@ -99,6 +99,25 @@ TYPED_TEST(SpringLedger, BooksTheSpringOfAContactThatOpens) {
   EXPECT_NEAR((l.total() - l.opening) / lost, 0, 1e-3);  // the history turns within a step
 }
 
+/// Damping of two large spheres exceeds Coulomb's limit by far, so the law winds their spring up to many
+/// times the energy that there is. The balance holds in each step nevertheless.
+TYPED_TEST(SpringLedger, HoldsInEveryStepOfASpringThatIsWound) {
+  const Model model = model_of<TypeParam>({.friction = 0.3});
+  const Ball rest{.radius = 10};
+  const Ball passing{.position = {20.001, 0, 0}, .velocity = {-0.01, 0.05, 0}, .radius = 10};
+  const auto simulation = make_simulation(model, packing_of(cube(100), {rest, passing}));
+  double wound = 0;
+  double worst = 0;
+  for (int step = 0; step < 2000; ++step) {
+    simulation->advance(1);
+    const Packing now = simulation->packing();
+    wound = std::max(wound, energy(now, model.law).tangential / now.ledger.initial);
+    worst = std::max(worst, std::abs(relative_gap_of(now, model)));
+  }
+  EXPECT_GT(wound, 100);
+  EXPECT_LT(worst, 0.01);
+}
+
 bool same(const Ledger& a, const Ledger& b) {
   static_assert(sizeof(Ledger) % sizeof(double) == 0);
   return std::memcmp(&a, &b, sizeof(Ledger)) == 0;
