@@ -11,7 +11,8 @@ namespace {
 
 AnyLaw law_of(const Case& c) {
   const HookeConstants constants{c.contact.tangential_stiffness, c.contact.normal_damping,
-                                 c.contact.tangential_damping, c.contact.friction, c.contact.attraction};
+                                 c.contact.tangential_damping,   c.contact.friction,
+                                 c.contact.attraction,           c.contact.winding};
   const bool legacy = c.contact.law == HookeHistory::name;
   if (c.contact.friction == 0) {
     if (legacy) return Frictionless<true>{constants};

@@ -34,6 +34,8 @@ struct Case {
     double normal_damping = 0.5;             ///< gamma_n, multiplied by m_eff [1/time]
     double tangential_damping = 0.5;         ///< gamma_t, multiplied by m_eff [1/time]
     bool attraction = true;  ///< the normal force may turn negative while a contact opens (the paper)
+    bool winding =
+        true;  ///< damping may wind the spring of a sliding contact beyond Coulomb's limit (the paper)
     std::string velocity = "peculiar";  ///< which relative velocity a contact feels: "peculiar" or "total"
     friend bool operator==(const Contact&, const Contact&) = default;
   };

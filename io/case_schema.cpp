@@ -76,6 +76,10 @@ std::vector<Key> contact() {
       plain("contact", "attraction", "", std::monostate{},
             "let damping pull while a contact opens, as in the paper; false: the normal force never attracts",
             [](Case& c) -> Field { return &c.contact.attraction; }),
+      plain("contact", "winding", "", std::monostate{},
+            "let damping wind the spring of a sliding contact beyond its limit, as in the paper; false: the "
+            "slider is in series with both",
+            [](Case& c) -> Field { return &c.contact.winding; }),
       plain("contact", "velocity", "", Choices{"peculiar", "total"},
             "relative velocity at a contact, without (peculiar) or with (total) the cell's affine flow",
             [](Case& c) -> Field { return &c.contact.velocity; }),

@@ -13,6 +13,7 @@ struct HookeConstants {
   double tangential_damping = 0.5;  ///< gamma_t [1/time], times the reduced mass
   double friction = 0;              ///< Coulomb coefficient mu
   bool attraction = true;           ///< the normal force may turn negative while a contact opens
+  bool winding = true;  ///< damping may wind the spring of a sliding contact beyond Coulomb's limit
 };
 
 /// F_n = k_n overlap - m_eff gamma_n v_n, v_n the normal velocity (positive when the particles part).
@@ -43,6 +44,11 @@ struct SpringStep {
 /// `slides_free`, a contact beyond the limit has no tangential force and keeps its history. Arms are R -
 /// `shortening`.
 ///
+/// With winding, as in the study, the damping of the cut is that of the whole slip; the more it exceeds the
+/// limit the further the spring is stretched the other way. Without, a slider stands in series with spring
+/// and dashpot: their force is the limit, their rate what the dashpot allows, and the slider takes up the
+/// rest of the slip.
+///
 /// The spring's loss is taken with the mean of the forces at both ends, as velocity Verlet pairs them, less
 /// what the spring has stored.
 template <class R, class Truth>
@@ -53,7 +59,8 @@ template <class R, class Truth>
   using std::abs;
   const R f_n = normal_force(c, t.overlap, t.reduced_mass, v_n);
   const R stiffness(c.tangential_stiffness);
-  const Vec3<R> damping = (t.reduced_mass * R(c.tangential_damping)) * s.slip;
+  const R dashpot = t.reduced_mass * R(c.tangential_damping);
+  Vec3<R> damping = dashpot * s.slip;
   Vec3<R> f_t = -(stiffness * history + damping);
   const R size = norm(f_t);
   const R limit = R(c.friction) * abs(f_n);
@@ -62,9 +69,13 @@ template <class R, class Truth>
   const R least(1e-37);
   f_t *= select(slides & slides_free, R(0), limit / larger(larger(size, limit), least));
   if (c.tangential_stiffness > 0) {
-    const Vec3<R> cut = -(f_t + damping) * R(1 / c.tangential_stiffness);
+    const Vec3<R> cut = c.winding ? -(f_t + damping) * R(1 / c.tangential_stiffness)
+                                  : (dashpot * s.before - t.time_step * f_t) *
+                                        (R(1) / larger(dashpot + t.time_step * stiffness, least));
     history = select(slides, select(slides_free, history, cut), history);
   }
+  if (!c.winding)
+    damping = select(slides, select(slides_free, damping, -(f_t + stiffness * history)), damping);
   const R loss = t.time_step * dot(damping, s.slip) +
                  R(0.5) * stiffness * dot(s.before + history, s.before + s.way - history);
   const R sliding = select(slides, loss, R(0));

@@ -187,7 +187,7 @@ TEST(CaseFile, ResolvedCaseReadsBackTheSame) {
   Case c;
   c.mixture = {
       .size_ratio = 20.0 / 3, .small_fraction = 0.1 + 0.2, .large = 77, .start_fraction = 0.1, .seed = 42};
-  c.contact = {"hooke_history", 1e30, 0.7, 1e-300, 0, false, "total"};
+  c.contact = {"hooke_history", 1e30, 0.7, 1e-300, 0, false, false, "total"};
   c.compaction = {{1e-3, 1.0 / 3e4}, "cubic", 1, 123.456, 0.04, 0.02, 0.03};
   c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 0};
   c.compute = {"double", 3, 0.25};
