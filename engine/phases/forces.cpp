@@ -5,6 +5,7 @@
 #include "engine/search/near_rows.h"
 
 namespace furnas {
+
 template <class Scene>
 void contact_forces(const Model& model, const double& time_step, const Cell& cell, const PairList& pairs,
                     const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,

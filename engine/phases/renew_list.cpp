@@ -89,8 +89,6 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
 
 void watch_near_rows(const std::int64_t& step, const double& time_step, const LongestWay& longest_way,
                      const Cell& cell, const PairList& pairs, NearRows& near) {
-  double motion = 0;
-  for (double square : longest_way) motion = std::max(motion, 2 * std::sqrt(square));
   if (near.builds == pairs.builds) {
     if (near.kept) {
       // Ways are measured in the cell of the list.
@@ -106,6 +104,8 @@ void watch_near_rows(const std::int64_t& step, const double& time_step, const Lo
   near.worn = true;
   near.edges = cell.edges;
   near.travelled.assign(pairs.classes.size(), 0);
+  double motion = 0;
+  for (double square : longest_way) motion = std::max(motion, 2 * std::sqrt(square));
   const Triangle& e = cell.rate;
   const double strain = time_step * std::hypot(std::hypot(e.xx, e.yy, e.zz), std::hypot(e.yz, e.xz, e.xy));
   choose_near_skin(pairs, motion, strain, near);

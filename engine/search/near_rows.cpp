@@ -24,8 +24,8 @@ std::uint64_t near_rows(const PairList& list, const NearRows& near) {
 
 void weigh_near_rows(const PairList& list, NearRows& near) {
   constexpr double worth_it = 0.6;
-  if (static_cast<double>(near_rows(list, near)) > worth_it * static_cast<double>(list.rows()))
-    near.kept = false;
+  near.kept =
+      near.kept && static_cast<double>(near_rows(list, near)) <= worth_it * static_cast<double>(list.rows());
   if (!near.kept) near.rows = {};
 }
 

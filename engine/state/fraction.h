@@ -23,14 +23,10 @@ using Image = std::array<std::int32_t, 3>;
 
 inline constexpr double two_to_64 = 18446744073709551616.0;
 
-/// The integer nearest to `part` * 2^64, modulo 2^64; `part` is in [-1/2, 1/2].
-[[gnu::always_inline]] inline std::uint64_t part_to_fixed(double part) {
-  return part >= 0.5 ? (std::uint64_t{1} << 63) : static_cast<std::uint64_t>(std::llrint(part * two_to_64));
-}
-
 /// The integer nearest to `fraction` * 2^64, modulo 2^64. Any value of a size below 2^63 is allowed.
 inline std::uint64_t to_fixed(double fraction) {
-  return part_to_fixed(fraction - static_cast<double>(std::llrint(fraction)));  // the difference is exact
+  const double part = fraction - static_cast<double>(std::llrint(fraction));  // exact, in [-1/2, 1/2]
+  return part >= 0.5 ? (std::uint64_t{1} << 63) : static_cast<std::uint64_t>(std::llrint(part * two_to_64));
 }
 
 /// The fixed-point difference as a real number in [-1/2, 1/2).

@@ -87,8 +87,6 @@ TEST(ReliableInput, AWrongValueOnTheCommandLineIsNamed) {
   for (const Key& key : case_keys()) {
     for (const std::string& value : wrong_values(key)) {
       if (std::holds_alternative<std::monostate>(key.allowed)) continue;  // a bare word is a text there
-      if ((key.path().ends_with("attraction") || key.path().ends_with("winding")) && value == "\"true\"")
-        continue;
       const Answer answer = runs.run("run", {key.path() + "=" + value});
       EXPECT_EQ(answer.code, ExitCode::bad_case) << key.path() << " = " << value << answer.err;
       EXPECT_THAT(answer.err, HasSubstr(key.path())) << value;
