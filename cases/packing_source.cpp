@@ -1,6 +1,7 @@
 #include "cases/packing_source.h"
 
 #include "cases/recording.h"
+#include "cases/run_folder.h"
 #include "engine/base/require.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
@@ -35,9 +36,7 @@ fs::path folder_about(const std::string& folder_or_file, const std::string& want
   const fs::path source = folder_or_file;
   const fs::path own = fs::is_directory(source) ? source : source.parent_path();
   fs::path folder = !wanted.empty() ? fs::path(wanted) : own.empty() ? fs::path(".") : own;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError("--out " + folder.string() + ": the folder cannot be made: " + error.message());
+  make_folder(folder);
   return folder;
 }
 

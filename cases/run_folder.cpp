@@ -14,15 +14,9 @@ namespace {
 
 void require_made(const fs::path& folder, const std::error_code& error) {
   if (!error) return;
-  const std::string what = "cannot make the folder " + folder.string() + ": " + error.message();
+  const std::string what = "--out: the folder " + folder.string() + " cannot be made: " + error.message();
   if (error == std::errc::no_space_on_device || error == std::errc::io_error) throw OutputError(what);
   throw InputError(what);
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  require_made(folder, error);
 }
 
 /// Making a folder that is there already changes nothing, so of several that want a name one gets it.
@@ -62,6 +56,12 @@ void remove_unfinished(const fs::path& folder) {
 }
 
 }  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  require_made(folder, error);
+}
 
 RunFolder::RunFolder(fs::path path, bool made) : path_(std::move(path)), made_(made) {
   try {

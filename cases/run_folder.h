@@ -9,6 +9,10 @@
 
 namespace furnas {
 
+/// Makes the folder that --out names, with those above it. Throws InputError, as when a file stands in its
+/// place, and OutputError when the disk does not take it.
+void make_folder(const std::filesystem::path& folder);
+
 /// The folder of a run, which no other run can take while this lives.
 class RunFolder {
  public:

@@ -180,11 +180,16 @@ void render_png(const Packing& packing, const std::filesystem::path& path, const
   write_png(render(packing, options), path, options.transparent);
 }
 
-double room_of(const Packing& packing) {
-  const Vec3<double> middle = packing.cell.edges * Vec3<double>{0.5, 0.5, 0.5};
+double room_of(const Packing& packing, const std::array<int, 3>& times) {
+  const Vec3<double> middle = repeated(packing.cell, times).edges * Vec3<double>{0.5, 0.5, 0.5};
   double room = norm(middle);
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    room = std::max(room, norm(packing.position(k) - middle) + packing.radius[k]);
+  // The copies at the corners of the block are the farthest.
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto last = [&](int axis) { return (corner >> axis & 1) * (times[axis] - 1.0); };
+    const Vec3<double> shift = packing.cell.edges * Vec3<double>{last(0), last(1), last(2)};
+    for (std::size_t k = 0; k < packing.size(); ++k)
+      room = std::max(room, norm(packing.position(k) + shift - middle) + packing.radius[k]);
+  }
   return room;
 }
 

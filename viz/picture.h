@@ -44,8 +44,9 @@ Pixels render(const Packing& packing, const PictureOptions& options = {});
 void render_png(const Packing& packing, const std::filesystem::path& path,
                 const PictureOptions& options = {});
 
-/// Radius of the ball about the cell's middle that holds everything [d_s]; for PictureOptions::room.
-double room_of(const Packing& packing);
+/// Radius of the ball that holds everything, the cell repeated `times`, about the middle of it all [d_s]; for
+/// PictureOptions::room.
+double room_of(const Packing& packing, const std::array<int, 3>& times = {1, 1, 1});
 
 /// What the colours mean, for the reader.
 std::string key_of(const Packing& packing, const PictureOptions& options);

@@ -12,6 +12,7 @@
 #include "cases/bench/speed.h"
 #include "cases/commands/command.h"
 #include "cases/packing_source.h"
+#include "cases/run_folder.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
@@ -168,7 +169,7 @@ ExitCode error(Options& o, Console console) {
 ExitCode peers(Options& o, Console console) {
   const bool passing = o.match.folder.empty();
   if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
-  fs::create_directories(o.match.folder);
+  make_folder(o.match.folder);
   const ExitCode code = compare_with_lammps(o.match, console);
   if (passing) fs::remove_all(o.match.folder);  // what went wrong stays to be looked at
   return code;

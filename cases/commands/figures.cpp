@@ -8,6 +8,7 @@
 
 #include "cases/commands/command.h"
 #include "cases/figures/report.h"
+#include "cases/run_folder.h"
 #include "io/atomic_file.h"
 
 namespace furnas {
@@ -34,7 +35,7 @@ Command figures_command() {
     const fs::path folder =
         options->out.empty() ? fs::path(options->folders.front()) / "figures" : fs::path(options->out);
     const std::vector<Figure> figures = figures_of(study);
-    fs::create_directories(folder);
+    make_folder(folder);
     for (const Figure& figure : figures) {
       write_file(folder / (figure.name + ".csv"), csv(figure.chart));
       if (options->no_pictures) continue;

@@ -100,7 +100,7 @@ void film(const fs::path& out, Console console) {
 /// The packing from all sides, once around.
 void render_turning(const Options& options, const PackingSource& source, Console console) {
   PictureOptions picture = picture_of(options, source);
-  picture.room = room_of(source.packing);
+  picture.room = room_of(source.packing, picture.times);
   for (int n = 0; n < options.turning; ++n) {
     picture.turn = options.picture.turn + 360.0 * n / options.turning;
     const fs::path file = numbered(options.out, n);
@@ -120,7 +120,10 @@ void render_compaction(const Options& options, Console console) {
   int n = 0;
   for (const SavedFrame& frame : read_frames(folder / "frames.pvd")) {
     const PackingSource source = packing_source((folder / frame.file).string());
-    if (n == 0) picture = picture_of(options, source), picture.room = room_of(source.packing);
+    if (n == 0) {
+      picture = picture_of(options, source);
+      picture.room = room_of(source.packing, picture.times);
+    }
     const fs::path file = numbered(options.out, n++);
     render_png(source.packing, file, picture);
     console.out << file.string() << std::endl;

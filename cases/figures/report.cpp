@@ -55,14 +55,16 @@ std::string maxima_table(const Study& study) {
 
 std::string points_table(const Study& study) {
   std::string text =
-      "| α | μ | f_s | N_l | N_s | jammed | budget | diverged, failed | φ_J | ± | effective size |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "| α | μ | f_s | N_l | N_s | jammed | budget | diverged, failed | unfinished | φ_J | ± | effective "
+      "size |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
+    if (p.unfinished == p.samples) continue;  // nothing is known of it
     const auto& phi = p.mean_phi_J;
     text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
+        fmt::format("| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
                     p.friction, p.small_fraction, p.large, p.small, p.jammed, p.samples, p.budget,
-                    p.diverged + p.failed, phi ? fmt::format("{:.4f}", phi->mean) : "-",
+                    p.diverged + p.failed, p.unfinished, phi ? fmt::format("{:.4f}", phi->mean) : "-",
                     phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-", p.effective_size);
   }
   return text;
@@ -83,7 +85,8 @@ Written by `furnas figures`. Means are those of jammed samples alone; intervals 
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
       "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed samples together. "
-      "Where the small spheres rattle only the large ones count.\n\n";
+      "Where the small spheres rattle only the large ones count. Points of which no sample is finished are "
+      "left out.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";
   for (const Figure& f : figures) text += fmt::format("\n![{}]({}.svg)\n\n{}\n", f.name, f.name, f.caption);

@@ -13,10 +13,10 @@ std::string text_of(const MeanInterval& m) {
   return m.samples > 1 ? fmt::format("{:.4f} ± {:.4f}", m.mean, m.half_width) : fmt::format("{:.4f}", m.mean);
 }
 
-/// Half of the interval of phi_J. A lone sample has none: of 1000 large spheres it is known how they scatter,
-/// of fewer nothing is said.
+/// Half of the interval of phi_J. A lone sample has none: of 1000 large spheres it is known how they scatter
+/// (twice the standard deviation of docs/verification.md), of fewer nothing is said.
 double reach_of(const Point& point) {
-  constexpr double scatter = 0.008;
+  constexpr double scatter = 0.004;
   constexpr std::int64_t many = 1000;
   if (point.phi_J.size() > 1) return point.mean_phi_J->half_width;
   return point.large >= many ? scatter : std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ Statement begin(std::string what, std::string paper, std::string rule) {
 
 Statement mono(const Study& study, double mu, double paper, double tolerance) {
   Statement s = begin(fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
-                      fmt::format("within the interval and {} (1000 spheres)", tolerance));
+                      fmt::format("off by at most {} (1000 spheres) and half of the interval", tolerance));
   if (const Point* point = study.mono_at(mu)) compare(s, *point, paper, tolerance);
   return s;
 }
@@ -62,7 +62,7 @@ Statement mono(const Study& study, double mu, double paper, double tolerance) {
 Statement point(const Study& study, double alpha, double mu, double f, double paper) {
   constexpr double tolerance = 0.01, near = 0.0051;
   Statement s = begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f), fmt::format("{}", paper),
-                      fmt::format("within the interval and {}", tolerance));
+                      fmt::format("off by at most {} and half of the interval", tolerance));
   const Curve* curve = study.curve(alpha, mu);
   if (curve == nullptr) return s;
   const auto off = [f](const Point& p) { return std::abs(p.small_fraction - f); };
@@ -90,9 +90,12 @@ std::vector<Highest> maxima_at(const Study& study, double alpha) {
   return all;
 }
 
-double largest_ratio(const Study& study) {
+/// The largest size ratio for which `answers`; 0 if there is none.
+template <class Answers>
+double largest_ratio(const Study& study, Answers&& answers) {
   const auto ratios = study.size_ratios();
-  return ratios.empty() ? 0 : ratios.back();
+  const auto found = std::find_if(ratios.rbegin(), ratios.rend(), answers);
+  return found == ratios.rend() ? 0 : *found;
 }
 
 void append(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
@@ -100,11 +103,11 @@ void append(std::string& text, const std::string& more) { text += (text.empty() 
 Statement near_model(const Study& study) {
   constexpr double alpha = 20, share = 0.02;
   Statement s = begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
-                      "each friction within 2 % and the interval, at α = 20 or more");
+                      "each friction off by at most 2 % and half of the interval, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
-  const double largest = largest_ratio(study);
+  const double largest = largest_ratio(study, [&](double ratio) { return !maxima_at(study, ratio).empty(); });
   for (const Highest& h : maxima_at(study, largest)) {
     if (!h.model) continue;
     const double model = h.model->middle().phi_max(), ours = h.maximum.phi_max.mean;
@@ -144,19 +147,21 @@ Statement small_ratio(const Study& study) {
 
 Statement f_max_rises(const Study& study) {
   constexpr double most = 0.03;
-  Statement s =
-      begin("f_max rises with μ, by up to 0.03", "0.03",
-            "the rise at the largest α is positive by more than its interval, which reaches below 0.03");
-  const auto maxima = maxima_at(study, largest_ratio(study));
-  if (maxima.size() < 2) return s;
+  Statement s = begin("f_max rises with μ, by up to 0.03", "0.03",
+                      "the rise at the largest α with two maxima is positive by more than its interval, "
+                      "which reaches below 0.03");
+  const double largest =
+      largest_ratio(study, [&](double ratio) { return maxima_at(study, ratio).size() > 1; });
+  const auto maxima = maxima_at(study, largest);
+  if (maxima.empty()) return s;
   const CurveMaximum &low = maxima.front().maximum, &high = maxima.back().maximum;
   const double rise = high.f_max - low.f_max;
   const double reach =
       std::hypot((high.f_max_high - high.f_max_low) / 2, (low.f_max_high - low.f_max_low) / 2);
   s.ours = fmt::format(
       "α = {}: {:.3f} ({:.3f} to {:.3f}) at μ = {}, {:.3f} ({:.3f} to {:.3f}) at μ = {}: {:+.3f} ± {:.3f}",
-      largest_ratio(study), low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max,
-      high.f_max_low, high.f_max_high, maxima.back().friction, rise, reach);
+      largest, low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max, high.f_max_low,
+      high.f_max_high, maxima.back().friction, rise, reach);
   s.n = std::to_string(low.phi_max.samples + high.phi_max.samples);
   s.agreement = rise - reach > most ? Agreement::not_reproduced : positive(rise, reach);
   return s;
@@ -177,44 +182,60 @@ struct Shares {
   std::string text() const { return any() ? fmt::format("{:.3f} to {:.3f}", low, high) : "no point"; }
 };
 
-/// The share of rattlers among the small spheres left and right of f_max, by the usual threshold.
-Statement rattlers(const Study& study) {
-  constexpr double alpha = 20, nearly_all = 0.9, few = 0.25;
-  Statement s =
-      begin("α = 20: nearly all small spheres rattle below f_max, then a sharp fall to 0 (μ = 0) … 0.22",
-            "1, then 0 … 0.22", "above 0.9 below f_max, below 0.25 above it, at α = 20 or more");
+/// The share of rattlers among the small spheres of one size ratio, left and right of f_max, by the
+/// thresholds of the study.
+struct Sides {
+  Shares below, above;
   std::string text;
   std::size_t n = 0;
-  const double largest = largest_ratio(study);
-  Shares below, above;
   std::vector<Agreement> parts;
+};
+
+Sides sides_of(const Study& study, double size_ratio) {
+  constexpr double nearly_all = 0.9, few = 0.25;
+  Sides sides;
   for (const double mu : study.frictions()) {
-    const Curve* curve = study.curve(largest, mu);
+    const Curve* curve = study.curve(size_ratio, mu);
     const auto model = study.model(mu);
     if (curve == nullptr || !model) continue;
-    const std::size_t threshold = mu > 0 ? 0 : 1;  // of z_min 2, 3, 4: those of the study
+    const std::size_t threshold = mu > 0 ? 0 : 1;  // of z_min 2, 3, 4
     Shares left, right;
     for (const Point& p : curve->points) {
       const auto& share = p.small_rattlers[threshold];
       if (!share) continue;
-      n += share->samples;
+      sides.n += share->samples;
       if (p.small_fraction < model->f_max().low - 0.02) {
         left.add(share->mean);
-        parts.push_back(positive(share->mean - nearly_all, share->half_width));
+        sides.parts.push_back(positive(share->mean - nearly_all, share->half_width));
       }
       if (p.small_fraction > model->f_max().high + 0.02) {
         right.add(share->mean);
-        parts.push_back(positive(few - share->mean, share->half_width));
+        sides.parts.push_back(positive(few - share->mean, share->half_width));
       }
     }
-    append(text, fmt::format("μ = {}: {} below f_max, {} above", mu, left.text(), right.text()));
-    below.add(left);
-    above.add(right);
+    append(sides.text, fmt::format("μ = {}: {} below f_max, {} above", mu, left.text(), right.text()));
+    sides.below.add(left);
+    sides.above.add(right);
   }
-  if (parts.empty()) return s;
-  s.ours = fmt::format("α = {}: {}", largest, text);
-  s.n = std::to_string(n);
-  if (largest >= alpha && below.any() && above.any()) s.agreement = all_of(parts);
+  return sides;
+}
+
+Statement rattlers(const Study& study) {
+  constexpr double alpha = 20;
+  Statement s =
+      begin("α = 20: nearly all small spheres rattle below f_max, then a sharp fall to 0 (μ = 0) … 0.22",
+            "1, then 0 … 0.22",
+            "above 0.9 below f_max, below 0.25 above it, at α = 20 or more; rattlers have fewer than 3 live "
+            "contacts (μ = 0) or 2");
+  const double largest = largest_ratio(study, [&](double ratio) {
+    const Sides sides = sides_of(study, ratio);
+    return sides.below.any() && sides.above.any();
+  });
+  const Sides sides = sides_of(study, largest);
+  if (sides.parts.empty()) return s;
+  s.ours = fmt::format("α = {}: {}", largest, sides.text);
+  s.n = std::to_string(sides.n);
+  if (largest >= alpha) s.agreement = all_of(sides.parts);
   return s;
 }
 
@@ -287,9 +308,10 @@ Statement rises_and_falls(const Study& study) {
 }  // namespace
 
 std::vector<Statement> statements_of(const Study& study) {
-  // The tolerances are what samples of 1000 spheres have been seen to differ by from larger ones.
-  return {mono(study, 0, 0.638, 0.008),
-          mono(study, 0.3, 0.588, 0.0125),
+  // Without friction 1000 spheres lie 0.002 below large samples; with it the protocol moves phi_J by up to
+  // 0.01 (docs/verification.md).
+  return {mono(study, 0, 0.638, 0.004),
+          mono(study, 0.3, 0.588, 0.01),
           rises_and_falls(study),
           friction_lowers(study),
           point(study, 20, 0, 0.265, 0.869),

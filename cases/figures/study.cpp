@@ -49,6 +49,13 @@ SampleTable merged(const std::vector<fs::path>& folders, fs::path& history) {
       all.rows.push_back(std::move(row));
     }
   }
+  // The same run in two folders is one sample.
+  std::set<std::tuple<double, double, double, std::int64_t, std::string>> seen;
+  std::erase_if(all.rows, [&](const SampleRow& row) {
+    return !seen.insert(std::tuple_cat(place_of(row), std::tuple(row.seed, row.verdict + row.state_hash +
+                                                                               std::to_string(row.large))))
+                .second;
+  });
   // A failed sample has no result that would tell its size.
   std::erase_if(all.rows,
                 [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });

@@ -20,14 +20,15 @@ struct Study {
 
   /// phi_mono(mu) and the model that follows from it; none without samples of one size.
   std::optional<FurnasInterval> model(double friction) const;
-  const Point* mono_at(double friction) const;
-  const Curve* curve(double size_ratio, double friction) const;
-  std::vector<double> frictions() const;    ///< of the curves, ascending
-  std::vector<double> size_ratios() const;  ///< of the curves, ascending
+  const Point* mono_at(double friction) const;                   ///< nullptr if there is none
+  const Curve* curve(double size_ratio, double friction) const;  ///< nullptr if there is none
+  std::vector<double> frictions() const;                         ///< of the curves, ascending
+  std::vector<double> size_ratios() const;                       ///< of the curves, ascending
 };
 
 /// Reads the tables of the folders of sweeps. Of samples with several numbers of large spheres those with the
-/// most count. Throws InputError, also when a sweep varies a key that the paper does not.
+/// most count, and the same run in two folders once. Throws InputError, also when a sweep varies a key that
+/// the paper does not.
 Study study_of(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace furnas

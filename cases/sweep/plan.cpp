@@ -63,10 +63,9 @@ std::string identity(Case c) {
   return resolved_toml(c);
 }
 
-/// The same without what tells samples of a sweep apart.
-std::string common_identity(Case c, const std::vector<std::string>& keys) {
-  for (const std::string& path : keys) forget(*find_key(path.substr(0, path.find('.')), name_in(path)), c);
-  c.mixture.seed = 0;
+/// The same for any small_fraction.
+std::string identity_of_curve(Case c) {
+  c.mixture.small_fraction = 0;
   return identity(c);
 }
 
@@ -161,10 +160,10 @@ Sample moved_to(const Sample& sample, double small_fraction, const std::vector<s
 std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,
                                   const fs::path& folder) {
   std::set<fs::path> known;
-  std::set<std::string> common;
+  std::set<std::string> curves;
   for (const Sample& sample : planned) {
     known.insert(sample.folder);
-    common.insert(common_identity(sample.resolved_case, keys));
+    curves.insert(identity_of_curve(sample.resolved_case));
   }
   std::vector<fs::path> files;
   if (fs::is_directory(folder / "samples"))
@@ -176,7 +175,7 @@ std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std:
   std::vector<Sample> added;
   for (const fs::path& file : files) {
     const Sample sample = sample_of(read_case(file), keys, folder);
-    if (sample.folder == file.parent_path() && common.contains(common_identity(sample.resolved_case, keys)))
+    if (sample.folder == file.parent_path() && curves.contains(identity_of_curve(sample.resolved_case)))
       added.push_back(sample);
   }
   return added;

@@ -12,6 +12,7 @@
 #include "cases/folder_lock.h"
 #include "cases/preflight.h"
 #include "cases/progress.h"
+#include "cases/run_folder.h"
 #include "cases/signals.h"
 #include "cases/sweep/points.h"
 #include "cases/sweep/pool.h"
@@ -93,8 +94,9 @@ class Sweep {
         console_(console),
         keys_(keys_of(order.file)),
         samples_(samples_of(order.file, keys_, order.folder)) {
-    const std::vector<Sample> added = added_samples(samples_, keys_, order.folder);
-    samples_.insert(samples_.end(), added.begin(), added.end());
+    // What the file does not ask for, now or any more, counts if it is there and is not run.
+    for (Sample& sample : added_samples(samples_, keys_, order.folder))
+      if (order.refine || state_of(sample) == SampleState::finished) samples_.push_back(std::move(sample));
   }
 
   ExitCode go() {
@@ -179,7 +181,7 @@ class Sweep {
 
 ExitCode run_sweep(const SweepOrder& order, Console console) {
   samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
-  fs::create_directories(order.folder);
+  make_folder(order.folder);
   const FolderLock lock(order.folder);
   return Sweep(order, console).go();
 }

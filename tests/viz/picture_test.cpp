@@ -326,5 +326,13 @@ TEST(Picture, NamesThePathThatCannotBeWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder.string() + ".tmp"));
 }
 
+TEST(Room, HoldsEveryCopyOfTheCell) {
+  Packing packing = one_sphere();
+  packing.radius[0] = 4;
+  packing.fraction[0] = to_fraction({0.95, 0.5, 0.5});
+  EXPECT_NEAR(room_of(packing), std::sqrt(75.0), 1e-12) << "the corners of the cell";
+  EXPECT_NEAR(room_of(packing, {3, 1, 1}), 18.5, 1e-12) << "the last of three spheres: 29.5 - 15 + 4";
+}
+
 }  // namespace
 }  // namespace furnas

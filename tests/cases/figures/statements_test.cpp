@@ -70,6 +70,18 @@ TEST(Studies, TakeTheLargestSamples) {
   EXPECT_NEAR(study.mono[0].mean_phi_J->mean, 0.58, 1e-12);
 }
 
+TEST(Studies, CountARunInTwoFoldersOnce) {
+  SampleTable table = paper_table();
+  add(table, "1.0", "0.0", "0.3", 0.58);
+  const TemporaryFolder folder;
+  write_file(folder / sample_table_name, csv(table));
+  table.rows[0].state_hash = "another run with this seed";
+  const TemporaryFolder other;
+  write_file(other / sample_table_name, csv(table));
+  EXPECT_EQ(study_of({folder / "", folder / ""}).mono[0].samples, 3u);
+  EXPECT_EQ(study_of({folder / "", other / ""}).mono[0].samples, 4u);
+}
+
 TEST(Studies, RefuseKeysThatThePaperDoesNotVary) {
   SampleTable table = paper_table();
   table.keys.push_back("compaction.pressure");
@@ -104,6 +116,16 @@ TEST(Statements, AreNotToldFromOneSideOfTheMaximum) {
       return row.size_ratio == 20 && (row.small_fraction < 0.28) != left;
     });
     EXPECT_EQ(about(statements_of(study_from(table)), "rattle below").agreement, Agreement::not_reachable);
+  }
+}
+
+TEST(Statements, OfTheLargestSizeRatioTakeOneThatCanAnswer) {
+  SampleTable table = agreeing();
+  add(table, "40.0", "0.292", "0.3", 0.83);
+  const auto all = statements_of(study_from(table));
+  for (const char* what : {"within 2 % of the model", "f_max rises", "rattle below"}) {
+    EXPECT_EQ(about(all, what).agreement, Agreement::reproduced) << what;
+    EXPECT_THAT(about(all, what).ours, HasSubstr("α = 20"));
   }
 }
 

@@ -144,7 +144,9 @@ TEST_F(Plans, FindsWhatRefinementHasAdded) {
   const Sample added = moved_to(planned[0], 0.15, keys, path(""));
   Sample foreign = moved_to(planned[0], 0.25, keys, path(""));
   foreign.resolved_case.contact.normal_damping = 0.1;
-  for (const Sample& sample : {planned[0], added, foreign}) {
+  Case other = planned[0].resolved_case;  // of a value that the file has no more
+  other.contact.friction = 0.7;
+  for (const Sample& sample : {planned[0], added, foreign, sample_of(other, keys, path(""))}) {
     fs::create_directories(sample.folder);
     write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
   }
