@@ -40,6 +40,14 @@ fs::path folder_about(const std::string& folder_or_file, const std::string& want
   return folder;
 }
 
+std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file) {
+  if (source.of_case) return source.of_case;
+  const fs::path folder = fs::absolute(folder_or_file).parent_path();
+  for (const fs::path& of_run : {fs::path(folder_or_file), folder, folder.parent_path()})
+    if (fs::exists(of_run / "case.resolved.toml")) return read_case(of_run / "case.resolved.toml");
+  return {};
+}
+
 Packing packing_from(const std::string& name) { return packing_source(name).packing; }
 
 Packing with_overlaps_as_contacts(const Packing& packing) {

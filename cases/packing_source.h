@@ -22,6 +22,10 @@ struct PackingSource {
 /// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
 PackingSource packing_source(const std::string& folder_or_file);
 
+/// The case of a source; of a file without one that of the run in whose folder, or in a folder of which, it
+/// lies.
+std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file);
+
 /// Declares the argument that names such a source, into `name`.
 void add_packing_source(CLI::App& app, std::string& name);
 

@@ -44,17 +44,43 @@ Census census_of(const Case& c) {
   return n;
 }
 
+/// The largest whole number below `tried` that fits; 0 if none does.
+template <class Fits>
+std::int64_t largest_below(std::int64_t tried, Fits&& fits) {
+  std::int64_t low = 0;
+  for (std::int64_t high = tried; high - low > 1;) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// What would fit instead.
+std::string smaller(double particles, const MemoryLimit& limit, const Case& c) {
+  Case changed = c;
+  changed.output.picture = "none";
+  if (expected_memory(particles, changed) <= limit.bytes) {
+    changed.output.picture = c.output.picture;
+    const std::int64_t size = largest_below(c.output.picture_size, [&](std::int64_t edge) {
+      changed.output.picture_size = edge;
+      return expected_memory(particles, changed) <= limit.bytes;
+    });
+    return size > 0 ? fmt::format("a smaller picture (output.picture_size = {})", size)
+                    : "no picture (output.picture = \"none\")";
+  }
+  if (!c.start.file.empty()) return "a smaller start.file";
+  const std::int64_t large = largest_below(c.mixture.large, [&](std::int64_t some) {
+    const double share = static_cast<double>(some) / static_cast<double>(c.mixture.large);
+    return expected_memory(share * particles, c) <= limit.bytes;
+  });
+  return large > 0 ? fmt::format("fewer particles (mixture.large = {})", large) : "a larger machine";
+}
+
 std::string refusal_of_memory(double particles, const MemoryLimit& limit, const Case& c) {
   const double needed = expected_memory(particles, c);
   if (needed <= limit.bytes) return {};
-  Case undrawn = c;
-  undrawn.output.picture = "none";
-  const std::string instead =
-      expected_memory(particles, undrawn) <= limit.bytes
-          ? fmt::format("a smaller picture (output.picture_size = {})", c.output.picture_size)
-          : fmt::format("fewer particles (mixture.large = {})", c.mixture.large);
   return fmt::format("the run needs about {:.1f} GB and {} {:.1f} GB; take {}", needed / 1e9, limit.source,
-                     limit.bytes / 1e9, instead);
+                     limit.bytes / 1e9, smaller(particles, limit, c));
 }
 
 /// A run that cannot come to rest, or not within a lifetime.

@@ -27,7 +27,7 @@ struct PictureOptions {
   bool ambient_occlusion = true;  ///< darken what lies deep between spheres
   PictureStyle style = PictureStyle::block;
   Colouring colouring = Colouring::species;
-  int backbone_threshold = 3;         ///< live contacts below which a particle is a rattler
+  int backbone_threshold = 4;         ///< live contacts below which a particle is a rattler
   std::array<int, 3> times{1, 1, 1};  ///< how often the cell is repeated along its edges; block alone
   std::optional<Slice> slice{};       ///< the part that is drawn; all if absent
   double turn = 0;                    ///< of the eye about the vertical, from the usual view [degrees]

@@ -30,7 +30,8 @@ struct Options {
 
 AnalysisOptions analysis_options(const Options& options, const PackingSource& source) {
   AnalysisOptions analysis = options.analysis;
-  const double of_case = source.of_case ? source.of_case->contact.friction : 0;
+  const auto about = case_about(source, options.source);
+  const double of_case = about ? about->contact.friction : 0;
   analysis.friction = options.friction.value_or(of_case);
   Case c;
   c.contact.friction = analysis.friction;

@@ -70,8 +70,17 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   if (picture.style == PictureStyle::chains && copies_of(times) > 1)
     throw InputError("--times " + options.times + ": chains are drawn of one cell; allowed: 1x1x1");
   if (!options.slice.empty()) picture.slice = parse_slice(options.slice);
-  if (source.of_case) picture.backbone_threshold = backbone_threshold_of(*source.of_case);
+  if (const auto c = case_about(source, options.source))
+    picture.backbone_threshold = backbone_threshold_of(*c);
   return picture;
+}
+
+/// The packing, with overlaps as contacts where the colours speak of contacts and the file has none.
+PackingSource drawn_source(const std::string& name, const Options& options) {
+  PackingSource source = packing_source(name);
+  if (source.packing.contacts.empty() && options.colour != "species")
+    source.packing = with_overlaps_as_contacts(source.packing);
+  return source;
 }
 
 /// packing.png -> packing_0007.png.
@@ -119,7 +128,7 @@ void render_compaction(const Options& options, Console console) {
   PictureOptions picture;
   int n = 0;
   for (const SavedFrame& frame : read_frames(folder / "frames.pvd")) {
-    const PackingSource source = packing_source((folder / frame.file).string());
+    const PackingSource source = drawn_source((folder / frame.file).string(), options);
     if (n == 0) {
       picture = picture_of(options, source);
       picture.room = room_of(source.packing, picture.times);
@@ -172,7 +181,7 @@ Command render_command() {
       render_compaction(*options, console);
       return ExitCode::done;
     }
-    const PackingSource source = packing_source(options->source);
+    const PackingSource source = drawn_source(options->source, *options);
     if (options->turning > 0) {
       render_turning(*options, source, console);
       return ExitCode::done;
