@@ -28,8 +28,8 @@ class Observation {
 
   Simulation& simulation() { return simulation_; }
   std::int64_t step() const { return simulation_.step(); }
-  const Packing& packing();
-  const Measures& measures();
+  const Packing& packing();    ///< as it is between the steps
+  const Measures& measures();  ///< of that packing
   /// The packing, given away: whoever changes it needs no second one. Asked again, it is taken anew.
   Packing take_packing();
 
@@ -62,7 +62,7 @@ class Observation {
 class Event {
  public:
   virtual ~Event() = default;
-  virtual const char* name() const = 0;
+  virtual const char* name() const = 0;  ///< as it is listed and saved
 
   /// The first step after `step` at which it may be due.
   virtual std::int64_t next(std::int64_t step) const = 0;

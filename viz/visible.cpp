@@ -16,7 +16,7 @@ class DepthBuffer {
         height_(height),
         depth_(std::size_t(width) * std::size_t(height), std::numeric_limits<float>::infinity()) {}
 
-  /// A sphere hides what lies behind it; half a pixel less than it is, because pixels are sampled anywhere.
+  /// A sphere hides what lies behind it; a pixel less than it is, because pixels are sampled anywhere.
   void add(const Sphere& sphere) {
     scan(sphere, -1, [](float& nearest, float depth) {
       nearest = std::min(nearest, depth);

@@ -32,7 +32,7 @@ struct Measures {
   double force_imbalance{};                ///< mean |net force| on the backbone/mean contact force
   double mean_force{};                     ///< mean |contact force| [k_n d_s]
   double largest_overlap{};                ///< largest overlap/smaller radius of its pair
-  std::int64_t contacts{};                 ///< live contacts
+  std::int64_t contacts{};                 ///< all of them, live or not
   double coordination{};                   ///< 2 contacts/N, rattlers included
   double sliding_share{};                  ///< share of the contacts at the Coulomb limit
   std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4

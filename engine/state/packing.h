@@ -46,7 +46,7 @@ struct Packing {
   std::vector<Vec3<double>> spin;      ///< angular velocity [1/time]; zero without friction
   std::vector<Vec3<double>> force;     ///< sum over contacts [k_n d_s]
   std::vector<Vec3<double>> torque;    ///< sum over contacts [k_n d_s^2]
-  std::vector<Contact> contacts;       ///< live contacts
+  std::vector<Contact> contacts;       ///< all of them, live or not
   Stress stress;                       ///< of this instant, as the barostat uses it
   Ledger ledger;                       ///< where the energy came from and went
   std::vector<std::uint32_t> order;    ///< particle at each place in memory; empty: the engine chooses

@@ -225,7 +225,8 @@ TEST_P(ContactIntegrator, MovesPhi) {
   const MeanInterval d = difference_interval(phi[0], phi[1]);
   fmt::print("| difference at alpha {}, f_s {} | | {:.4f} +- {:.4f} | | | |\n", m.ratio, m.fraction, d.mean,
              d.half_width);
-  EXPECT_LT(std::abs(d.mean), 0.02 + d.half_width);
+  EXPECT_LT(std::abs(d.mean),
+            0.02);  // twice what the protocol moves phi_J with friction (docs/verification.md)
 }
 
 INSTANTIATE_TEST_SUITE_P(Nightly, ContactIntegrator,

@@ -26,7 +26,9 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
+  /// Through the corners in their order.
   virtual void line(const std::vector<Spot>& corners, const Colour& colour, double width) = 0;
+  /// Filled, whatever the sense of its outline.
   virtual void area(const std::vector<Spot>& outline, const Colour& colour) = 0;
   /// Black. `left` is where the first letter begins and what it stands on; upwards: read from below to above.
   virtual void text(const Spot& left, const std::string& text, double size, bool upwards) = 0;

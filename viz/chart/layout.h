@@ -27,6 +27,7 @@ struct ChartSizes {
   double marker{};  ///< width of markers
 };
 
+/// For the width and height of the chart.
 ChartSizes sizes_of(const Chart& chart);
 
 /// Finds a place for everything, so that nothing covers anything else.

@@ -129,6 +129,14 @@ TEST(Statements, OfTheLargestSizeRatioTakeOneThatCanAnswer) {
   }
 }
 
+TEST(Statements, AreNotToldFromACurveThatEndsBeforeItsMaximum) {
+  SampleTable table = agreeing();
+  for (const char* f : {"0.1", "0.15", "0.2"}) add(table, "40.0", f, "0.3", 0.5 + std::stod(f));
+  const auto all = statements_of(study_from(table));
+  for (const char* what : {"rises to a maximum", "within 2 % of the model", "f_max rises"})
+    EXPECT_EQ(about(all, what).agreement, Agreement::reproduced) << what << ": " << about(all, what).ours;
+}
+
 TEST(Statements, TakeTheNearestPoint) {
   SampleTable table = agreeing();
   add(table, "20.0", "0.295", "0.3", 0.7);
