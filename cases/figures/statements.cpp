@@ -149,6 +149,13 @@ Statement small_ratio(const Study& study) {
   return s;
 }
 
+/// Those that the maximum of a curve is fitted to.
+std::size_t jammed_samples(const Curve& curve) {
+  std::size_t n = 0;
+  for (const Point& p : curve.points) n += p.phi_J.size();
+  return n;
+}
+
 Statement f_max_rises(const Study& study) {
   constexpr double most = 0.03;
   Statement s = begin("f_max rises with μ, by up to 0.03", "0.03",
@@ -166,7 +173,8 @@ Statement f_max_rises(const Study& study) {
       "α = {}: {:.3f} ({:.3f} to {:.3f}) at μ = {}, {:.3f} ({:.3f} to {:.3f}) at μ = {}: {:+.3f} ± {:.3f}",
       largest, low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max, high.f_max_low,
       high.f_max_high, maxima.back().friction, rise, reach);
-  s.n = std::to_string(low.phi_max.samples + high.phi_max.samples);
+  s.n = std::to_string(jammed_samples(*study.curve(largest, maxima.front().friction)) +
+                       jammed_samples(*study.curve(largest, maxima.back().friction)));
   s.agreement = rise - reach > most ? Agreement::not_reproduced : positive(rise, reach);
   return s;
 }

@@ -127,6 +127,7 @@ TEST(Statements, OfTheLargestSizeRatioTakeOneThatCanAnswer) {
     EXPECT_EQ(about(all, what).agreement, Agreement::reproduced) << what;
     EXPECT_THAT(about(all, what).ours, HasSubstr("α = 20"));
   }
+  EXPECT_EQ(about(all, "f_max rises").n, "42") << "three samples at seven f_s of two frictions";
 }
 
 TEST(Statements, AreNotToldFromACurveThatEndsBeforeItsMaximum) {
