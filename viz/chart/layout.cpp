@@ -184,7 +184,7 @@ LegendPlace find_corner(const Chart& chart, const std::array<double, 2>& size, C
   const double gap = sizes_of(chart).gap;
   Choice best = emptiest(chart, layout, size, gap);
   const double rows = (layout.frame.top - layout.frame.bottom) / (size[1] + 3 * gap);
-  if (chart.y.high || rows < 2) return best.place;
+  if (chart.y.high || rows < 1.5) return best.place;
   constexpr int raises = 6;
   const double top = layout.y.high;
   // After the last raise the legend stands above all data.

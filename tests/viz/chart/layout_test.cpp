@@ -71,6 +71,20 @@ TEST(ChartLayout, ShowsOnePointAndNone) {
     }
 }
 
+/// As many curves as the study has: its legend is half as high as the chart.
+TEST(ChartLayout, AHighLegendCoversNoData) {
+  Chart chart = chart_of({"a series", {}, {}, {}, blue, LineStyle::solid, Marker::circle});
+  for (int n = 0; n <= 20; ++n) {
+    chart.series[0].x.push_back(n);
+    chart.series[0].y.push_back(n * (20 - n));
+  }
+  chart.series.resize(7, chart.series[0]);
+  const ChartLayout layout = layout_of(chart);
+  EXPECT_GT(layout.legend.top - layout.legend.bottom, 0.4 * (layout.frame.top - layout.frame.bottom));
+  for (std::size_t n = 0; n < chart.series[0].x.size(); ++n)
+    EXPECT_FALSE(covered(layout, chart.series[0].x[n], chart.series[0].y[n])) << n;
+}
+
 /// Data in three corners leave the fourth; data everywhere push the axis up.
 TEST(ChartLayout, TheLegendCoversNoData) {
   const std::vector<Spot> corners{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
