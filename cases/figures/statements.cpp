@@ -291,17 +291,22 @@ bool spans_the_maximum(const Study& study, const Curve& curve) {
                     curve.points.back().small_fraction > model->f_max().high);
 }
 
-/// Whether the highest point within a curve lies above both of its ends.
+/// Whether a point within a curve lies above both of its ends: one that does so without doubt decides, else
+/// the highest.
 Agreement has_maximum(const Curve& curve) {
   const Point &first = curve.points.front(), &last = curve.points.back();
-  const Point& inner = *std::max_element(
-      curve.points.begin() + 1, curve.points.end() - 1,
-      [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; });
-  std::vector<Agreement> parts;
-  for (const Point* end : {&first, &last})
-    parts.push_back(positive(inner.mean_phi_J->mean - end->mean_phi_J->mean,
-                             std::hypot(reach_of(inner), reach_of(*end))));
-  return all_of(parts);
+  const auto above_the_ends = [&](const Point& inner) {
+    std::vector<Agreement> parts;
+    for (const Point* end : {&first, &last})
+      parts.push_back(positive(inner.mean_phi_J->mean - end->mean_phi_J->mean,
+                               std::hypot(reach_of(inner), reach_of(*end))));
+    return all_of(parts);
+  };
+  const auto begin = curve.points.begin() + 1, end = curve.points.end() - 1;
+  if (std::any_of(begin, end, [&](const Point& p) { return above_the_ends(p) == Agreement::reproduced; }))
+    return Agreement::reproduced;
+  return above_the_ends(*std::max_element(
+      begin, end, [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; }));
 }
 
 Statement rises_and_falls(const Study& study) {

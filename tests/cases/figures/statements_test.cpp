@@ -197,6 +197,14 @@ TEST(Statements, AMaximumIsToldFromScatter) {
   EXPECT_EQ(of_curve(0.65, 0.66, 0.70, 0.001), Agreement::not_reproduced);
 }
 
+TEST(Statements, AMaximumIsToldByAnyPointThatCanBe) {
+  Study study;
+  study.curves = {{{point(3, 0.1, 0.3, {0.65, 0.651}), point(3, 0.2, 0.3, {0.70, 0.701}),
+                    point(3, 0.3, 0.3, {0.71}), point(3, 0.5, 0.3, {0.66, 0.661})}}};
+  EXPECT_EQ(about(statements_of(study), "rises to a maximum").agreement, Agreement::reproduced)
+      << "the lone sample is higher, but nobody knows how it scatters";
+}
+
 TEST(Studies, TheModelOfTwoSamplesThatDifferStaysPossible) {
   Study study;
   study.mono = {point(1, 0, 0.3, {0.52, 0.60})};  // 0.56 +- 0.51
