@@ -198,6 +198,12 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
                        std::move(f)});
 }
 
+/// The part of its interval that a share can be in; a single sample has none.
+Interval of_share(const MeanInterval& share) {
+  if (share.samples < 2) return {share.mean, share.mean, share.mean};
+  return {share.mean, std::max(share.low(), 0.0), std::min(share.high(), 1.0)};
+}
+
 void add_rattlers(const Study& study, std::vector<Figure>& figures) {
   const auto frictions = study.frictions();
   for (const double ratio : study.size_ratios()) {
@@ -210,9 +216,7 @@ void add_rattlers(const Study& study, std::vector<Figure>& figures) {
       for (std::size_t n = 0; n < 3; ++n) {
         Series s = measured(fmt::format("μ = {}, fewer than {}", frictions[k], n + 2), k, lines[n]);
         for (const Point& p : curve->points)
-          if (const auto& share = p.small_rattlers[n])
-            add(s, p.small_fraction,
-                Interval{share->mean, std::max(share->low(), 0.0), std::min(share->high(), 1.0)});
+          if (const auto& share = p.small_rattlers[n]) add(s, p.small_fraction, of_share(*share));
         if (!s.x.empty()) chart.series.push_back(std::move(s));
       }
     }

@@ -216,6 +216,21 @@ TEST(Studies, TheModelOfTwoSamplesThatDifferStaysPossible) {
   EXPECT_EQ(about(statements_of(study), "equal spheres, μ = 0.3").agreement, Agreement::not_reachable);
 }
 
+TEST(Figures, ALoneSampleHasNoBar) {
+  SampleTable table = paper_table();
+  add(table, "1.0", "0.0", "0.3", 0.59);
+  table.rows.push_back(jammed_row("20.0", "0.29", "0.3", 1, 0.82));
+  const auto figures = figures_of(study_from(table));
+  std::size_t points = 0;
+  for (const Figure& figure : figures)
+    for (const Series& s : figure.chart.series) {
+      if (s.name.find("α = 20") == s.name.npos && s.name.find("fewer than") == s.name.npos) continue;
+      for (const Bar& bar : s.bars) EXPECT_EQ(bar.below + bar.above, 0) << figure.name << ": " << s.name;
+      points += s.bars.size();
+    }
+  EXPECT_GE(points, 6u) << "phi_J, phi_L, phi_S and the rattlers by three thresholds";
+}
+
 TEST(Report, ShowsEachStatementAndFigure) {
   const Study study = study_from(agreeing());
   const auto figures = figures_of(study);
