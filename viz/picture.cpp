@@ -183,13 +183,16 @@ void render_png(const Packing& packing, const std::filesystem::path& path, const
 double room_of(const Packing& packing, const std::array<int, 3>& times) {
   const Vec3<double> middle = repeated(packing.cell, times).edges * Vec3<double>{0.5, 0.5, 0.5};
   double room = norm(middle);
-  // The copies at the corners of the block are the farthest.
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto last = [&](int axis) { return (corner >> axis & 1) * (times[axis] - 1.0); };
-    const Vec3<double> shift = packing.cell.edges * Vec3<double>{last(0), last(1), last(2)};
-    for (std::size_t k = 0; k < packing.size(); ++k)
-      room = std::max(room, norm(packing.position(k) + shift - middle) + packing.radius[k]);
-  }
+  // The copies at the corners of the block are the farthest: the first and the last along each edge.
+  const auto to_last = [&](std::size_t axis) { return std::max(times[axis] - 1, 1); };
+  for (int a = 0; a < times[0]; a += to_last(0))
+    for (int b = 0; b < times[1]; b += to_last(1))
+      for (int c = 0; c < times[2]; c += to_last(2)) {
+        const Vec3<double> from_middle =
+            packing.cell.edges * Vec3<double>{double(a), double(b), double(c)} - middle;
+        for (std::size_t k = 0; k < packing.size(); ++k)
+          room = std::max(room, norm(packing.position(k) + from_middle) + packing.radius[k]);
+      }
   return room;
 }
 

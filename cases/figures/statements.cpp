@@ -149,10 +149,10 @@ Statement small_ratio(const Study& study) {
   return s;
 }
 
-/// Those that the maximum of a curve is fitted to.
+/// Those of a curve; its maximum is fitted to them.
 std::size_t jammed_samples(const Curve& curve) {
   std::size_t n = 0;
-  for (const Point& p : curve.points) n += p.phi_J.size();
+  for (const Point& p : curve.points) n += p.jammed;
   return n;
 }
 
@@ -295,12 +295,12 @@ bool spans_the_maximum(const Study& study, const Curve& curve) {
 /// the highest.
 Agreement has_maximum(const Curve& curve) {
   const Point &first = curve.points.front(), &last = curve.points.back();
+  const auto above = [](const Point& inner, const Point& end) {
+    return positive(inner.mean_phi_J->mean - end.mean_phi_J->mean,
+                    std::hypot(reach_of(inner), reach_of(end)));
+  };
   const auto above_the_ends = [&](const Point& inner) {
-    std::vector<Agreement> parts;
-    for (const Point* end : {&first, &last})
-      parts.push_back(positive(inner.mean_phi_J->mean - end->mean_phi_J->mean,
-                               std::hypot(reach_of(inner), reach_of(*end))));
-    return all_of(parts);
+    return all_of({above(inner, first), above(inner, last)});
   };
   const auto begin = curve.points.begin() + 1, end = curve.points.end() - 1;
   if (std::any_of(begin, end, [&](const Point& p) { return above_the_ends(p) == Agreement::reproduced; }))
@@ -312,8 +312,7 @@ Agreement has_maximum(const Curve& curve) {
 Statement rises_and_falls(const Study& study) {
   Statement s = begin("φ_J(f_s) rises to a maximum and falls again", "figures 2a, 2b",
                       "within each curve that reaches beyond the model's maximum a point lies above both of "
-                      "its ends by more than "
-                      "the intervals");
+                      "its ends by more than the intervals");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
@@ -323,7 +322,7 @@ Statement rises_and_falls(const Study& study) {
     if (parts.back() != Agreement::reproduced)
       append(text, fmt::format("α = {}, μ = {}: {}", curve.size_ratio(), curve.friction(),
                                parts.back() == Agreement::not_reproduced ? "no maximum" : "cannot be told"));
-    for (const Point& p : curve.points) n += p.jammed;
+    n += jammed_samples(curve);
   }
   if (parts.empty()) return s;
   s.ours = text.empty() ? fmt::format("each of {} curves", parts.size()) : text;

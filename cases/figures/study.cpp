@@ -50,12 +50,11 @@ SampleTable merged(const std::vector<fs::path>& folders, fs::path& history) {
     }
   }
   // The same run in two folders is one sample.
-  std::set<std::tuple<double, double, double, std::int64_t, std::string>> seen;
-  std::erase_if(all.rows, [&](const SampleRow& row) {
-    return !seen.insert(std::tuple_cat(place_of(row), std::tuple(row.seed, row.verdict + row.state_hash +
-                                                                               std::to_string(row.large))))
-                .second;
-  });
+  const auto name_of = [](const SampleRow& row) {
+    return std::tuple(place_of(row), row.seed, row.large, row.verdict, row.state_hash);
+  };
+  std::set<decltype(name_of(SampleRow{}))> seen;
+  std::erase_if(all.rows, [&](const SampleRow& row) { return !seen.insert(name_of(row)).second; });
   // A failed sample has no result that would tell its size.
   std::erase_if(all.rows,
                 [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });
