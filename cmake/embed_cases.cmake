@@ -1,4 +1,4 @@
-# Writes the case files of cases/ and the facts of the build into two sources of the room `cases`.
+# Writes the case files of cases/ and the facts of the build into two sources of the program.
 
 file(GLOB_RECURSE furnas_case_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.toml)
 set(furnas_case_entries "")
@@ -10,7 +10,7 @@ foreach(case_file IN LISTS furnas_case_files)
   string(APPEND furnas_case_entries "    {\"${case_name}\", R\"furnas(${case_text})furnas\"},\n")
 endforeach()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/case_templates.cpp @ONLY CONTENT
-[[#include "cases/case_templates.h"
+[[#include "cases/program/case_templates.h"
 
 #include <array>
 
@@ -30,7 +30,7 @@ get_target_property(furnas_options furnas_flags INTERFACE_COMPILE_OPTIONS)
 list(FILTER furnas_options EXCLUDE REGEX "^-W|^\\$<")
 list(JOIN furnas_options " " furnas_options)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${furnas_build_type}} ${furnas_options}" furnas_build_flags)
-configure_file(${PROJECT_SOURCE_DIR}/cases/build_info.cpp.in ${PROJECT_BINARY_DIR}/generated/build_info.cpp @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/cases/program/build_info.cpp.in ${PROJECT_BINARY_DIR}/generated/build_info.cpp @ONLY)
 
-target_sources(furnas_cases PRIVATE ${PROJECT_BINARY_DIR}/generated/case_templates.cpp
-                                    ${PROJECT_BINARY_DIR}/generated/build_info.cpp)
+target_sources(furnas_program PRIVATE ${PROJECT_BINARY_DIR}/generated/case_templates.cpp
+                                      ${PROJECT_BINARY_DIR}/generated/build_info.cpp)

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <limits>
 
-#include "engine/analysis/energy.h"
-#include "engine/analysis/measure.h"
 #include "engine/base/require.h"
+#include "engine/monitor/energy.h"
+#include "engine/monitor/measure.h"
 
 namespace furnas {
 
@@ -63,13 +63,13 @@ void Observation::replace(const Packing& packing) {
   }
 }
 
-std::int64_t recalled_count(const std::string& memory) {
+std::int64_t saved_count(const std::string& saved) {
   std::int64_t count = 0;
-  if (memory.empty()) return count;
-  const char* const end = memory.data() + memory.size();
-  const auto [rest, error] = std::from_chars(memory.data(), end, count);
+  if (saved.empty()) return count;
+  const char* const end = saved.data() + saved.size();
+  const auto [rest, error] = std::from_chars(saved.data(), end, count);
   if (error != std::errc{} || rest != end || count < 0)
-    throw InputError("a run remembers \"" + memory + "\" where it must remember a count");
+    throw InputError("a run remembers \"" + saved + "\" where it must remember a count");
   return count;
 }
 

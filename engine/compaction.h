@@ -62,7 +62,8 @@ class Observation {
 class Event {
  public:
   virtual ~Event() = default;
-  virtual const char* name() const = 0;  ///< as it is listed and saved
+  virtual const char* name()
+      const = 0;  ///< in progress lines, and the key of saved() in checkpoints: a change breaks them
 
   /// The first step after `step` at which it may be due.
   virtual std::int64_t next(std::int64_t step) const = 0;
@@ -79,15 +80,15 @@ class Event {
 
   /// What it must know again when the run is stopped now and goes on in another process; what it has written
   /// so far is then on the disk.
-  virtual std::string memory() { return {}; }
+  virtual std::string saved() { return {}; }
 
-  /// Takes up what memory() gave, once and before all else. Empty at the beginning of a run. Throws
+  /// Takes up what saved() gave, once and before all else. Empty at the beginning of a run. Throws
   /// InputError if it cannot go on from there.
-  virtual void recall(const std::string&) {}
+  virtual void restore(const std::string&) {}
 };
 
-/// A count as std::to_string() wrote it; 0 for the empty memory of a beginning. Throws InputError.
-std::int64_t recalled_count(const std::string& memory);
+/// A count as std::to_string() wrote it; 0 for the empty text of a beginning. Throws InputError.
+std::int64_t saved_count(const std::string& saved);
 
 /// The first multiple of `period` after `step`.
 std::int64_t next_multiple(std::int64_t step, std::int64_t period);

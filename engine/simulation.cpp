@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analysis/energy.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
+#include "engine/monitor/energy.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
 #include "engine/search/find_pairs.h"
+#include "engine/search/inner_skin.h"
 #include "engine/search/merge.h"
-#include "engine/search/near_rows.h"
 #include "engine/search/size_classes.h"
 #include "engine/state/validate.h"
 #include "engine/step.h"
@@ -33,17 +33,17 @@ bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t count) 
   return order.size() == count;
 }
 
-template <class Scene>
+template <class Numerics>
 class SimulationOf final : public Simulation {
  public:
-  using Real = typename Scene::Real;
-  static constexpr bool spins = Scene::spins;
+  using Real = typename Numerics::Real;
+  static constexpr bool spins = Numerics::spins;
 
-  SimulationOf(const Model& model, const Packing& packing, int threads, Schedule schedule)
+  SimulationOf(const Model& model, const Packing& packing, int threads, Execution execution)
       : model_(model),
         workers_(threads),
-        as_graph_(schedule == Schedule::as_graph || (schedule == Schedule::automatic && threads > 1)),
-        step_(make_step<Scene>(model_, count_, state_, work_)) {
+        as_graph_(execution == Execution::as_graph || (execution == Execution::automatic && threads > 1)),
+        step_(make_step<Numerics>(model_, count_, state_, work_)) {
     load(packing);
   }
 
@@ -66,7 +66,7 @@ class SimulationOf final : public Simulation {
   int threads() const override { return workers_.threads(); }
   std::int64_t builds() const override { return state_.pairs.builds; }
   std::size_t pairs() const override { return state_.pairs.rows(); }
-  std::size_t near_pairs() const override { return near_rows(state_.pairs, work_.near); }
+  std::size_t inner_pairs() const override { return inner_rows(state_.pairs, work_.inner); }
   const StepGraph& graph() const override { return step_; }
 
  private:
@@ -80,13 +80,13 @@ class SimulationOf final : public Simulation {
   Workers workers_;
   bool as_graph_;
   std::size_t count_{};
-  State<Scene> state_;
+  State<Numerics> state_;
   StepWork work_;
   StepGraph step_;
 };
 
-template <class Scene>
-void SimulationOf<Scene>::load(const Packing& p) {
+template <class Numerics>
+void SimulationOf<Numerics>::load(const Packing& p) {
   validate(p);
   workers_.run([&] {
     const std::int64_t builds = state_.pairs.builds;
@@ -96,8 +96,8 @@ void SimulationOf<Scene>::load(const Packing& p) {
   });
 }
 
-template <class Scene>
-void SimulationOf<Scene>::take_particles(const Packing& p) {
+template <class Numerics>
+void SimulationOf<Numerics>::take_particles(const Packing& p) {
   count_ = p.size();
   state_ = {};
   state_.step = p.step;
@@ -133,37 +133,38 @@ void SimulationOf<Scene>::take_particles(const Packing& p) {
   }
 }
 
-template <class Scene>
-void SimulationOf<Scene>::build_list(std::int64_t builds) {
+template <class Numerics>
+void SimulationOf<Numerics>::build_list(std::int64_t builds) {
   {
     std::vector<double> radii(count_);
     for (std::size_t n = 0; n < count_; ++n) radii[n] = state_.particles[n].radius;
     state_.pairs.classes = size_classes(radii);
   }
-  work_.wear.travelled.assign(state_.pairs.classes.size(), 0);
-  bin_particles<Scene>(model_.skin, state_.step, state_.cell, work_.wear, state_.pairs, state_.particles,
-                       work_.draft);
+  work_.displacement.largest.assign(state_.pairs.classes.size(), 0);
+  bin_particles<Numerics>(model_.skin, state_.step, state_.cell, work_.displacement, state_.pairs,
+                          state_.particles, work_.draft);
   search_pairs(state_.cell, work_.draft);
-  state_.memory.clear(0, 0, spins);
-  adopt_list<Scene>(state_.step, work_.draft, state_.pairs, state_.rows, state_.memory, state_.image,
-                    work_.wear);
+  state_.contact_state.clear(0, 0, spins);
+  adopt_list<Numerics>(state_.step, work_.draft, state_.pairs, state_.rows, state_.contact_state,
+                       state_.image, work_.displacement);
   state_.pairs.builds = builds + 1;
-  work_.near = {};
+  work_.inner = {};
 }
 
-template <class Scene>
-void SimulationOf<Scene>::take_forces() {
+template <class Numerics>
+void SimulationOf<Numerics>::take_forces() {
   const double no_step = 0;
-  contact_forces<Scene>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                        state_.rows, state_.memory, work_.near, state_.stress.contacts, work_.work);
-  gather_and_kick<Scene>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows, state_.memory,
-                         state_.loads, state_.particles, state_.stress.motion);
+  contact_forces<Numerics>(model_, no_step, state_.cell, state_.pairs, state_.particles, state_.loads,
+                           state_.rows, state_.contact_state, work_.inner, state_.stress.contacts,
+                           work_.work);
+  gather_and_kick<Numerics>(model_.barostat, no_step, state_.cell, state_.pairs, state_.rows,
+                            state_.contact_state, state_.loads, state_.particles, state_.stress.motion);
   state_.ledger = {};
   state_.ledger.initial = energy(packing(), model_.law).total();
 }
 
-template <class Scene>
-void SimulationOf<Scene>::restore_contacts(const Packing& p) {
+template <class Numerics>
+void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
   std::vector<std::uint32_t> place(count_);
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const PairList& list = state_.pairs;
@@ -186,18 +187,18 @@ void SimulationOf<Scene>::restore_contacts(const Packing& p) {
       ++k;
     require(k < list.first[i + 1], "every contact is in the list");
     state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
-    state_.memory.touch(k, i, j);
+    state_.contact_state.touch(k, i, j);
     if constexpr (spins)
-      state_.memory.springs[k].history = {Real(sign * c.history.x), Real(sign * c.history.y),
-                                          Real(sign * c.history.z)};
+      state_.contact_state.springs[k].history = {Real(sign * c.history.x), Real(sign * c.history.y),
+                                                 Real(sign * c.history.z)};
   }
 }
 
-template <class Scene>
-std::vector<Contact> SimulationOf<Scene>::contacts() const {
+template <class Numerics>
+std::vector<Contact> SimulationOf<Numerics>::contacts() const {
   const PairList& list = state_.pairs;
   std::vector<Contact> contacts;
-  const auto& touching = state_.memory.touching;
+  const auto& touching = state_.contact_state.touching;
   const auto touch = static_cast<std::size_t>(std::count(touching.begin(), touching.end(), 1));
   // Rounding may see a few more here than the step did; without room for them the list would be copied. One
   // that overlaps by more has been missed by the step; it is left out, so that who audits the contacts misses
@@ -226,11 +227,10 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
       c.overlap = overlap;
       c.force = wide(state_.rows[k].force);
       if constexpr (spins) {
-        c.history = wide(state_.memory.springs[k].history);
-        const double friction = std::get<typename Scene::Law>(model_.law).constants.friction;
+        c.history = wide(state_.contact_state.springs[k].history);
         const double normal = std::abs(dot(c.force, branch)) / std::sqrt(square);
         const double tangential = std::sqrt(std::max(dot(c.force, c.force) - normal * normal, 0.0));
-        c.sliding = tangential >= (1 - 1e-6) * friction * normal;
+        c.sliding = at_coulomb_limit(tangential, normal, constants_of(model_.law).friction);
       }
       contacts.push_back(c);
     }
@@ -238,8 +238,8 @@ std::vector<Contact> SimulationOf<Scene>::contacts() const {
   return contacts;
 }
 
-template <class Scene>
-Packing SimulationOf<Scene>::packing() const {
+template <class Numerics>
+Packing SimulationOf<Numerics>::packing() const {
   Packing p;
   p.step = state_.step;
   p.time = static_cast<double>(state_.step) * model_.time_step;
@@ -270,13 +270,13 @@ Packing SimulationOf<Scene>::packing() const {
 }  // namespace
 
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads,
-                                            Schedule schedule) {
+                                            Execution execution) {
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<Simulation> {
         using Law = std::decay_t<decltype(law)>;
         if (model.precision == Precision::mixed)
-          return std::make_unique<SimulationOf<Scene<Law, float>>>(model, packing, threads, schedule);
-        return std::make_unique<SimulationOf<Scene<Law, double>>>(model, packing, threads, schedule);
+          return std::make_unique<SimulationOf<Numerics<Law, float>>>(model, packing, threads, execution);
+        return std::make_unique<SimulationOf<Numerics<Law, double>>>(model, packing, threads, execution);
       },
       model.law);
 }

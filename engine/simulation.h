@@ -42,15 +42,15 @@ class Simulation {
   /// Candidate pairs in the list.
   virtual std::size_t pairs() const = 0;
 
-  /// Pairs of the list that most steps look at: those that are near, if few are, or all.
-  virtual std::size_t near_pairs() const = 0;
+  /// Pairs of the list that most steps look at: those of the inner list, or all where there is none.
+  virtual std::size_t inner_pairs() const = 0;
 
   /// The step as a graph.
   virtual const StepGraph& graph() const = 0;
 };
 
 /// How the phases of a step are run.
-enum class Schedule {
+enum class Execution {
   automatic,  ///< as a graph when there are several threads
   in_order,
   as_graph
@@ -59,7 +59,7 @@ enum class Schedule {
 /// A simulation of `model` that starts from `packing`. Throws InputError with the ids when particles are
 /// not finite, have no size, or share a centre.
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads = 1,
-                                            Schedule schedule = Schedule::automatic);
+                                            Execution execution = Execution::automatic);
 
 /// Threads that pay for a packing of this size.
 int threads_for(std::size_t particles);

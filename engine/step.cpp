@@ -18,19 +18,19 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.memory, s.loads, s.particles, w.longest_way);
+  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.contact_state, s.loads, s.particles, w.step_displacement);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
-  step.phase("watch the wear",              watch_wear,           s.step, w.longest_way, s.cell, s.pairs, w.wear);
-  step.phase_when(w.wear.suspect, "measure the wear", measure_wear<S>, model.skin, s.step, s.cell, s.pairs, s.particles, w.wear);
-  step.phase_when(w.wear.worn, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.wear, s.pairs, s.particles, w.draft);
-  step.phase_when(w.wear.worn, "search the pairs",    search_pairs,    s.cell, w.draft);
-  step.phase_when(w.wear.worn, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.memory, s.image, w.wear);
+  step.phase("add the displacement",              add_displacement,           s.step, w.step_displacement, s.cell, s.pairs, w.displacement);
+  step.phase_when(w.displacement.suspect, "measure the displacement", measure_displacement<S>, model.skin, s.step, s.cell, s.pairs, s.particles, w.displacement);
+  step.phase_when(w.displacement.outdated, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.displacement, s.pairs, s.particles, w.draft);
+  step.phase_when(w.displacement.outdated, "search the pairs",    search_pairs,    s.cell, w.draft);
+  step.phase_when(w.displacement.outdated, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.contact_state, s.image, w.displacement);
 
-  step.phase("watch the near rows",         watch_near_rows,      s.step, dt, w.longest_way, s.cell, s.pairs, w.near);
-  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.memory, w.near, s.stress.contacts, w.work);
+  step.phase("watch the inner list",         watch_inner_list,      s.step, dt, w.step_displacement, s.cell, s.pairs, w.inner);
+  step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.contact_state, w.inner, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
-  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.memory, s.loads, s.particles, s.stress.motion);
+  step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.contact_state, s.loads, s.particles, s.stress.motion);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   // clang-format on
@@ -45,19 +45,19 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.loads, "loads");
   step.name(s.pairs, "pairs");
   step.name(s.rows, "rows");
-  step.name(s.memory, "memory of contacts");
+  step.name(s.contact_state, "contact state");
   step.name(s.image, "image");
-  step.name(w.longest_way, "longest way");
-  step.name(w.wear, "wear");
-  step.name(w.near, "near rows");
+  step.name(w.step_displacement, "displacement in the step");
+  step.name(w.displacement, "displacement");
+  step.name(w.inner, "inner list");
   step.name(w.draft, "draft of the list");
   return step;
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                                        \
-  template StepGraph make_step<Scene<Law, Real>>(const Model&, const std::size_t&, State<Scene<Law, Real>>&, \
-                                                 StepWork&);
-FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real)                                                 \
+  template StepGraph make_step<Numerics<Law, Real>>(const Model&, const std::size_t&, \
+                                                    State<Numerics<Law, Real>>&, StepWork&);
+FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

@@ -9,16 +9,16 @@ namespace furnas {
 
 /// What the phases hand to each other within a step.
 struct StepWork {
-  LongestWay longest_way;
-  Wear wear;
-  NearRows near;
+  StepDisplacement step_displacement;
+  ListDisplacement displacement;
+  InnerList inner;
   ListDraft draft;
   ContactWork work;
 };
 
 /// The timestep: velocity Verlet for particles and cell, one line a phase. Nothing else decides the order.
 /// The arguments must outlive the graph and stay where they are.
-template <class Scene>
-StepGraph make_step(const Model& model, const std::size_t& particles, State<Scene>& state, StepWork& work);
+template <class Numerics>
+StepGraph make_step(const Model& model, const std::size_t& particles, State<Numerics>& state, StepWork& work);
 
 }  // namespace furnas

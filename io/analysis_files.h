@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/structure/analyze.h"
+#include "engine/analysis/analyze.h"
 
 namespace furnas {
 

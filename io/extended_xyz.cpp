@@ -117,7 +117,7 @@ ParticleRow particle(const TextReader& reader, const Frame& f, std::int64_t row_
   row.id = columns.integer("id.0", row_number);
   row.radius = columns.real("radius.0");
   if (row.radius <= 0) reader.fail("the radius must be above zero");
-  row.mass = columns.has("mass.0") ? columns.real("mass.0") : sphere_mass(1, row.radius);
+  row.mass = columns.has("mass.0") ? columns.real("mass.0") : sphere_mass(row.radius);
   row.place = in_edges(f.edges, vector(columns, "pos") - f.origin);
   row.velocity = vector(columns, "velo");
   row.spin = vector(columns, "angular_velocity");

@@ -136,7 +136,7 @@ class DataReader {
     const std::int64_t type = reader_.integer(words_[1], "the type");
     if (type < 1 || (types_ && type > *types_)) reader_.fail("the type is not among those of the header");
     row.radius = reader_.positive(words_[2], "the diameter") / 2;
-    row.mass = sphere_mass(reader_.positive(words_[3], "the density"), row.radius);
+    row.mass = sphere_mass(row.radius, reader_.positive(words_[3], "the density"));
     row.place = in_edges(edges_, vector(4, "the position") -
                                      Vec3<double>{(*bounds_[0])[0], (*bounds_[1])[0], (*bounds_[2])[0]});
     if (words_.size() == 10) row.image = {image(7), image(8), image(9)};
@@ -206,7 +206,7 @@ void write_lammps_data(const Packing& packing, const std::filesystem::path& path
     const double radius = packing.radius[k];
     const auto& [ix, iy, iz] = packing.image[k];
     print(file, "{} {} {} {} {} {} {} {}\n", k + 1, type_of(packing.species[k]), 2 * radius,
-          packing.mass[k] / sphere_mass(1, radius), packing.position(k), ix, iy, iz);
+          packing.mass[k] / sphere_mass(radius), packing.position(k), ix, iy, iz);
   }
   print(file, "\nVelocities\n\n");
   for (std::size_t k = 0; k < packing.size(); ++k)

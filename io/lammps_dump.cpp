@@ -128,7 +128,7 @@ class DumpReader {
     row.id = columns_.integer("id", row_number);
     row.radius = columns_.has("radius") ? columns_.real("radius") : columns_.real("diameter") / 2;
     if (row.radius <= 0) reader_.fail("the radius must be above zero");
-    row.mass = columns_.has("mass") ? columns_.real("mass") : sphere_mass(1, row.radius);
+    row.mass = columns_.has("mass") ? columns_.real("mass") : sphere_mass(row.radius);
     row.place = columns_.vector(position_[0], position_[1], position_[2]);
     if (positions_ == Positions::cartesian) row.place = in_edges(*edges_, row.place - origin_);
     if (wrapped_) row.place += columns_.vector("ix", "iy", "iz");

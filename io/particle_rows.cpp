@@ -38,11 +38,6 @@ void check_ids(const TextReader& reader, const std::vector<ParticleRow>& rows) {
 
 }  // namespace
 
-double sphere_mass(double density, double radius) {
-  const double diameter = 2 * radius;
-  return density * (std::numbers::pi / 6 * (diameter * diameter * diameter));
-}
-
 Vec3<double> in_edges(const Triangle& h, const Vec3<double>& v) {
   const double z = v.z / h.zz;
   const double y = (v.y - h.yz * z) / h.yy;

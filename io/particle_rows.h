@@ -24,9 +24,6 @@ struct ParticleRow {
   Vec3<double> torque{};    ///< [k_n d_s^2]
 };
 
-/// Mass of a sphere [rho d_s^3] from its density [rho] and radius [d_s].
-double sphere_mass(double density, double radius);
-
 /// A Cartesian vector [d_s] in units of the cell's edges.
 Vec3<double> in_edges(const Triangle& edges, const Vec3<double>& v);
 

@@ -51,7 +51,7 @@ void read_sizes(VtpFile& file, Packing& packing) {
   if (file.has("PointData", "mass")) {
     packing.mass = file.numbers("PointData", "mass", file.points(), 1);
   } else {
-    for (std::size_t k = 0; k < packing.size(); ++k) packing.mass[k] = sphere_mass(1, packing.radius[k]);
+    for (std::size_t k = 0; k < packing.size(); ++k) packing.mass[k] = sphere_mass(packing.radius[k]);
   }
   packing.species = species_by_size(packing.radius);
   if (!file.has("PointData", "species")) return;

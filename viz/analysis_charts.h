@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/structure/analyze.h"
+#include "engine/analysis/analyze.h"
 #include "viz/chart.h"
 
 namespace furnas {

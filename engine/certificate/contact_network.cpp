@@ -9,9 +9,9 @@ namespace furnas {
 namespace {
 
 /// The histories of a packing by pair and image.
-class Memory {
+class RecordedContacts {
  public:
-  explicit Memory(const Packing& p) : p_(p) {
+  explicit RecordedContacts(const Packing& p) : p_(p) {
     for (std::uint32_t n = 0; n < p.contacts.size(); ++n) {
       const Contact& c = p.contacts[n];
       entries_.emplace_back(std::minmax(c.i, c.j), n);
@@ -53,13 +53,14 @@ StaticContact at_rest(const Packing& p, const Springs& springs, const Overlap& o
   return c;
 }
 
-void remember(const Springs& springs, const Memory& memory, const Overlap& o, StaticContact& c) {
-  const auto [listed, reversed] = memory.find(o);
+void take_history(const Springs& springs, const RecordedContacts& recorded, const Overlap& o,
+                  StaticContact& c) {
+  const auto [listed, reversed] = recorded.find(o);
   c.known = listed != nullptr;
   if (!listed || springs.friction == 0) return;
   const Vec3<double> xi = reversed ? -listed->history : listed->history;
   c.tangential_force = -springs.tangential * (xi - dot(xi, c.normal) * c.normal);
-  c.sliding = norm(c.tangential_force) >= (1 - springs.at_limit) * springs.friction * c.normal_force;
+  c.sliding = at_coulomb_limit(norm(c.tangential_force), c.normal_force, springs.friction, springs.at_limit);
 }
 
 }  // namespace
@@ -69,11 +70,11 @@ ContactNetwork contact_network(const Packing& p, const Springs& springs) {
   network.springs = springs;
   network.radius = p.radius;
   network.volume = p.cell.volume();
-  const Memory memory(p);
+  const RecordedContacts recorded(p);
   std::int64_t listed = 0;
   for (const Overlap& o : find_overlaps(p)) {
     StaticContact c = at_rest(p, springs, o);
-    remember(springs, memory, o, c);
+    take_history(springs, recorded, o, c);
     network.mean_force += norm(c.force());
     network.mean_normal_force += c.normal_force;
     ++(c.known ? listed : network.unlisted);

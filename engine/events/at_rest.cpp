@@ -50,17 +50,17 @@ void RestWatch::judge() {
   report_.waiting_for = furthest();
 }
 
-RestWatch::Memory RestWatch::memory() const {
+RestWatch::Saved RestWatch::saved() const {
   return {window_, report_.backbone, report_.stress_error, report_.force_imbalance, report_.kinetic_energy};
 }
 
-void RestWatch::recall(Memory memory) {
-  window_ = std::move(memory.window);
+void RestWatch::restore(Saved saved) {
+  window_ = std::move(saved.window);
   report_ = {};
-  report_.backbone = memory.backbone;
-  report_.stress_error = memory.stress_error;
-  report_.force_imbalance = memory.force_imbalance;
-  report_.kinetic_energy = memory.kinetic_energy;
+  report_.backbone = saved.backbone;
+  report_.stress_error = saved.stress_error;
+  report_.force_imbalance = saved.force_imbalance;
+  report_.kinetic_energy = saved.kinetic_energy;
   if (!window_.empty()) judge();
 }
 

@@ -64,15 +64,15 @@ class RestWatch {
   void restart() { window_.clear(); }
 
   /// What must return when a run goes on: the looks kept so far, oldest first, and what the last one saw.
-  struct Memory {
+  struct Saved {
     std::deque<Look> window;
     std::int64_t backbone{};  ///< this and the rest as in RestReport
     double stress_error = RestReport::unknown;
     double force_imbalance = RestReport::unknown;
     double kinetic_energy = RestReport::unknown;  ///< [k_n d_s^2]
   };
-  Memory memory() const;
-  void recall(Memory memory);
+  Saved saved() const;
+  void restore(Saved saved);
 
  private:
   static constexpr std::int64_t looks = 10;             // a window

@@ -17,8 +17,8 @@ class Flip final : public Event {
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
-  std::string memory() override { return std::to_string(count_); }
-  void recall(const std::string& memory) override { count_ = recalled_count(memory); }
+  std::string saved() override { return std::to_string(count_); }
+  void restore(const std::string& saved) override { count_ = saved_count(saved); }
 
   /// How often it has happened since the run began.
   std::int64_t count() const { return count_; }

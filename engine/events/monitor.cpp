@@ -6,8 +6,9 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/analysis/faults.h"
 #include "engine/base/require.h"
+#include "engine/monitor/audit.h"
+#include "engine/monitor/faults.h"
 
 namespace furnas {
 namespace {
@@ -65,7 +66,7 @@ std::string Monitor::momentum_fault(Observation& now) {
   return fault;
 }
 
-std::string Monitor::memory() {
+std::string Monitor::saved() {
   if (!last_) return {};
   const auto& [sum, spread, h, step, replaced] = *last_;
   std::ostringstream text;
@@ -75,15 +76,15 @@ std::string Monitor::memory() {
   return text.str();
 }
 
-void Monitor::recall(const std::string& memory) {
+void Monitor::restore(const std::string& saved) {
   last_.reset();
-  if (memory.empty()) return;
-  std::istringstream text(memory);
+  if (saved.empty()) return;
+  std::istringstream text(saved);
   std::array<double, 10> x{};
   for (double& value : x) text >> value;
   Momentum m{{x[0], x[1], x[2]}, x[3], {x[4], x[5], x[6], x[7], x[8], x[9]}, 0, 0};
   if (!(text >> m.step >> m.replaced))
-    throw InputError("the monitor remembers \"" + memory + "\", which is no momentum");
+    throw InputError("the monitor remembers \"" + saved + "\", which is no momentum");
   last_ = m;
 }
 

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Watches what must hold in every run: faults of the packing (engine/analysis/faults.h), the momentum, the
+/// Watches what must hold in every run: faults of the packing (engine/monitor/faults.h), the momentum, the
 /// balance of the energy, and that the neighbour list has missed no contact. Ends the run with a sentence.
 class Monitor final : public Event {
  public:
@@ -15,8 +15,8 @@ class Monitor final : public Event {
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override { return now.diverged(sentence_); }
-  std::string memory() override;
-  void recall(const std::string& memory) override;
+  std::string saved() override;
+  void restore(const std::string& saved) override;
 
  private:
   /// What the momentum is compared with.

@@ -4,8 +4,8 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/analysis/energy.h"
 #include "engine/base/require.h"
+#include "engine/monitor/energy.h"
 
 namespace furnas {
 namespace {
@@ -13,9 +13,8 @@ namespace {
 /// Kinetic energy of all particles and of the cell [k_n d_s^2].
 double motion(Observation& now) {
   const Measures& m = now.measures();
-  const Triangle& e = m.cell.rate;
-  const double square = e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + e.yz * e.yz + e.xz * e.xz + e.xy * e.xy;
-  return m.energy.kinetic + 0.5 * now.simulation().model().barostat.inertia * square;
+  return m.energy.kinetic +
+         0.5 * now.simulation().model().barostat.inertia * contraction(m.cell.rate, m.cell.rate);
 }
 
 }  // namespace
@@ -46,20 +45,20 @@ bool Quench::due(Observation& now) {
   return timely && (unfelt || (slow && (near || slow_windows_ > patience)));
 }
 
-std::string Quench::memory() {
+std::string Quench::saved() {
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
   text << count_ << ' ' << pressure_ << ' ' << count_at_pressure_ << ' ' << slow_windows_ << ' ' << peak_;
   return text.str();
 }
 
-void Quench::recall(const std::string& memory) {
-  if (memory.empty()) return;
-  std::istringstream text(memory);
+void Quench::restore(const std::string& saved) {
+  if (saved.empty()) return;
+  std::istringstream text(saved);
   text >> count_ >> pressure_ >> count_at_pressure_ >> slow_windows_ >> peak_;
   if (!text || text.peek() != std::istringstream::traits_type::eof() || count_ < 0 || !(pressure_ >= 0) ||
       count_at_pressure_ < 0 || slow_windows_ < 0 || !(peak_ >= 0))
-    throw InputError("a run remembers \"" + memory + "\" where it must remember five numbers from 0 on");
+    throw InputError("a run remembers \"" + saved + "\" where it must remember five numbers from 0 on");
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {

@@ -25,8 +25,8 @@ class Quench final : public Event {
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
-  std::string memory() override;
-  void recall(const std::string& memory) override;
+  std::string saved() override;
+  void restore(const std::string& saved) override;
 
   /// How often it has happened since the run began.
   std::int64_t count() const { return count_; }

@@ -30,8 +30,8 @@ Kernels<S> kernels() {
   return {contacts<S>, drift<S>, gather<S>};
 }
 
-#define FURNAS_INSTANTIATE(Law, Real) template Kernels<Scene<Law, Real>> kernels<Scene<Law, Real>>();
-FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real) template Kernels<Numerics<Law, Real>> kernels<Numerics<Law, Real>>();
+FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas::FURNAS_KERNELS

@@ -27,7 +27,7 @@ class ContactKernel {
     if (loop_.all)
       go_through_all(begin, end);
     else
-      go_through_near(begin);
+      go_through_inner(begin);
     if (found_.count > 0) {
       places_ = places_ < found_.count ? found_.count : places_;
       for (std::size_t n = found_.count; n < batch; ++n) found_.copy(found_.count - 1, n);
@@ -40,28 +40,28 @@ class ContactKernel {
   using Real = typename S::Real;
   using R = Lanes<Real>;
 
-  /// All rows of particles [begin, end); notes which are near, if wanted.
+  /// All rows of particles [begin, end); notes the inner list, if wanted.
   void go_through_all(std::size_t begin, std::size_t end) {
     std::size_t i = begin;
-    NearRow* const near = loop_.near == nullptr ? nullptr : loop_.near + loop_.first[begin];
+    InnerPair* const inner = loop_.inner == nullptr ? nullptr : loop_.inner + loop_.first[begin];
     std::size_t noted = 0;
     const std::uint64_t last = loop_.first[end];
     for (std::uint64_t row = loop_.first[begin]; row < last; row += block) {
       rows_.look(i, row, last - row < block ? last : row + block, found_, opener());
-      if (near != nullptr) noted += rows_.note_near(row, near + noted);
+      if (inner != nullptr) noted += rows_.note_inner(row, inner + noted);
       apply_whole_batches();
     }
-    if (near != nullptr) loop_.near_count[begin / contact_piece] = static_cast<std::uint32_t>(noted);
+    if (inner != nullptr) loop_.inner_count[begin / contact_piece] = static_cast<std::uint32_t>(noted);
   }
 
-  /// The near rows of the piece of particles that starts at `begin`.
-  void go_through_near(std::size_t begin) {
-    const NearRow* near = loop_.near + loop_.first[begin];
-    for (std::size_t left = loop_.near_count[begin / contact_piece]; left > 0;) {
+  /// The inner list of the piece of particles that starts at `begin`.
+  void go_through_inner(std::size_t begin) {
+    const InnerPair* inner = loop_.inner + loop_.first[begin];
+    for (std::size_t left = loop_.inner_count[begin / contact_piece]; left > 0;) {
       const std::size_t here = left < block ? left : block;
-      rows_.look(near, here, found_, opener());
+      rows_.look(inner, here, found_, opener());
       apply_whole_batches();
-      near += here, left -= here;
+      inner += here, left -= here;
     }
   }
 
@@ -108,8 +108,10 @@ class ContactKernel {
                        [&](std::size_t l) { return group(found_.row[at + l]); });
   }
 
-  static HWY_INLINE Vec3<R> flow(const Triangle& e, const Vec3<R>& b) {
-    return {R(e.xx) * b.x + R(e.xy) * b.y + R(e.xz) * b.z, R(e.yy) * b.y + R(e.yz) * b.z, R(e.zz) * b.z};
+  /// Velocity of the cell's flow across a branch.
+  template <class T>
+  static HWY_INLINE Vec3<T> flow(const Triangle& e, const Vec3<T>& b) {
+    return times(e, b);
   }
 
   /// Rows, histories and sums of a batch of which `valid` contacts count.
@@ -223,15 +225,12 @@ class ContactKernel {
       const auto wide = [](const Vec3<Real>& v) { return Vec3<double>{v.x, v.y, v.z}; };
       const Vec3<double> normal = branch * (1 / std::sqrt(dot(branch, branch)));
       RelativeMotion<double> motion{wide(i.velocity) - wide(j.velocity), wide(i.spin), wide(j.spin)};
-      if (loop_.affine) {
-        const Triangle& e = loop_.rate;
-        motion.velocity += Vec3<double>{e.xx * branch.x + e.xy * branch.y + e.xz * branch.z,
-                                        e.yy * branch.y + e.yz * branch.z, e.zz * branch.z};
-      }
+      if (loop_.affine) motion.velocity += flow(loop_.rate, branch);
       const Vec3<double> slip = slip_velocity(motion, normal, double(i.radius), double(j.radius));
-      const HookeConstants& c = loop_.law->constants;
-      opening_ += tangential_energy(c, wide(xi)) +
-                  0.5 * loop_.time_step * c.tangential_stiffness * dot(wide(xi), slip);
+      const Touch<double> touch =
+          resting_touch(i.radius, j.radius, 1 / (double(i.inverse_mass) + j.inverse_mass), 0);
+      opening_ += loop_.law->energy(touch, wide(xi)).tangential +
+                  0.5 * loop_.time_step * loop_.law->stiffness(touch).tangential * dot(wide(xi), slip);
       xi = {};
     }
   }

@@ -84,20 +84,21 @@ struct Moving {
   }
 };
 
-/// Half a kick and the drift of some particles; see DriftLoop. Answers the square of the longest way.
+/// Half a kick and the drift of some particles; see DriftLoop. Answers the square of the largest
+/// displacement.
 template <class S>
 class DriftKernel {
  public:
   explicit DriftKernel(const DriftLoop<S>& loop) : loop_(loop), drag_(loop.drag) {}
 
   double operator()(std::size_t begin, std::size_t end) {
-    D longest;
+    D largest;
     for (; begin + lanes <= end; begin += lanes)
-      is_nothing<lanes>(loop_.loaded + begin) ? take_on<true, true>(begin, lanes, longest)
-                                              : take_on<true, false>(begin, lanes, longest);
-    if (begin < end) take_on<false, false>(begin, end - begin, longest);
+      is_nothing<lanes>(loop_.loaded + begin) ? take_on<true, true>(begin, lanes, largest)
+                                              : take_on<true, false>(begin, lanes, largest);
+    if (begin < end) take_on<false, false>(begin, end - begin, largest);
     double squares[D::count];
-    longest.to(squares);
+    largest.to(squares);
     double top = 0;
     for (double square : squares) top = top < square ? square : top;
     return top;
@@ -110,7 +111,7 @@ class DriftKernel {
   static constexpr std::size_t lanes = R::count;
 
   template <bool whole, bool free>
-  HWY_INLINE void take_on(std::size_t i, std::size_t count, D& longest) const {
+  HWY_INLINE void take_on(std::size_t i, std::size_t count, D& largest) const {
     Particle<Real, S::spins>* const here = loop_.particles + i;
     if constexpr (whole) fetch_to_write(here + 3 * lanes, lanes);  // an address that is none does no harm
     Moving<S, whole, free> m(here, count);
@@ -120,7 +121,7 @@ class DriftKernel {
     Real x[lanes], y[lanes], z[lanes];
     m.velocity.x.to(x), m.velocity.y.to(y), m.velocity.z.to(z);
     for (std::size_t l = 0; l < (whole ? lanes : count); l += D::count)
-      longest = larger(longest, move(here, l, whole ? lanes : count, x, y, z));
+      largest = larger(largest, move(here, l, whole ? lanes : count, x, y, z));
   }
 
   static HWY_INLINE D wide(const double* v) { return D::from(v); }
@@ -128,15 +129,13 @@ class DriftKernel {
     return D(hn::PromoteTo(Tag<double>(), hn::LoadU(hn::Rebind<float, Tag<double>>(), v)));
   }
 
-  /// Moves particles [first, first + lanes of D) as far as they are below `count`; the squares of their ways
-  /// in the cell of the list.
+  /// Moves particles [first, first + lanes of D) as far as they are below `count`; the squares of their
+  /// displacements in the cell of the list.
   HWY_INLINE D move(Particle<Real, S::spins>* here, std::size_t first, std::size_t count, const Real* x,
                     const Real* y, const Real* z) const {
-    const Triangle& g = loop_.to_fraction;
     const D dt(loop_.time_step);
     const Vec3<D> v = Vec3<D>{wide(x + first), wide(y + first), wide(z + first)} * dt;
-    const Vec3<D> s{D(g.xx) * v.x + D(g.xy) * v.y + D(g.xz) * v.z, D(g.yy) * v.y + D(g.yz) * v.z,
-                    D(g.zz) * v.z};
+    const Vec3<D> s = times(loop_.to_fraction, v);
     std::int64_t fixed[3][D::count];
     to_fixed(s.x, fixed[0]), to_fixed(s.y, fixed[1]), to_fixed(s.z, fixed[2]);
     for (std::size_t l = 0; l < D::count && first + l < count; ++l) {
@@ -145,13 +144,12 @@ class DriftKernel {
       p.y += static_cast<std::uint64_t>(fixed[1][l]);
       p.z += static_cast<std::uint64_t>(fixed[2][l]);
     }
-    const Triangle& h = loop_.list_edges;
-    const Vec3<D> way{D(h.xx) * s.x + D(h.xy) * s.y + D(h.xz) * s.z, D(h.yy) * s.y + D(h.yz) * s.z,
-                      D(h.zz) * s.z};
-    return dot(way, way);
+    const Vec3<D> moved = times(loop_.list_edges, s);
+    return dot(moved, moved);
   }
 
-  /// furnas::to_fixed() of each lane: a way of half a cell or more is wrapped, for integers cannot hold it.
+  /// furnas::to_fixed() of each lane: a displacement of half a cell or more is wrapped, for integers cannot
+  /// hold it.
   static HWY_INLINE void to_fixed(const D& s, std::int64_t* fixed) {
     const D whole(hn::Round(((s - D(hn::Round(s.v))) * D(two_to_64)).v));
     const D half(0.5 * two_to_64);

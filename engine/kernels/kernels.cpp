@@ -76,8 +76,9 @@ const Kernels<S>& kernels() {
   return table[static_cast<std::size_t>(instruction_set())];
 }
 
-#define FURNAS_INSTANTIATE(Law, Real) template const Kernels<Scene<Law, Real>>& kernels<Scene<Law, Real>>();
-FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real) \
+  template const Kernels<Numerics<Law, Real>>& kernels<Numerics<Law, Real>>();
+FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

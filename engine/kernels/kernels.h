@@ -5,8 +5,8 @@
 
 #include "engine/laws/any_law.h"
 #include "engine/state/cell.h"
+#include "engine/state/inner_list.h"
 #include "engine/state/ledger.h"
-#include "engine/state/near_rows.h"
 #include "engine/state/pair_list.h"
 #include "engine/state/records.h"
 
@@ -36,11 +36,11 @@ struct ContactLoop {
   Spring<Real>* springs;
   std::uint8_t* touching;
   ContactCount* contacts;
-  std::uint8_t* loaded;       ///< as in Memory
-  bool all;                   ///< go through all rows, not the near ones alone
-  Skin near_skin;             ///< as in NearRows
-  NearRow* near;              ///< as in NearRows; null while none are noted
-  std::uint32_t* near_count;  ///< as in NearRows
+  std::uint8_t* loaded;        ///< as in ContactState
+  bool all;                    ///< go through all rows, not the inner list alone
+  Skin inner_skin;             ///< as in InnerList
+  InnerPair* inner;            ///< as in InnerList; null while none is kept
+  std::uint32_t* inner_count;  ///< as in InnerList
 };
 
 /// What a piece of the contacts adds up.
@@ -68,7 +68,7 @@ struct DriftLoop {
   CellDragStep drag;
   Triangle to_fraction;        ///< inverse of the cell's edges [1/d_s]
   Triangle list_edges;         ///< of the cell when the list was built [d_s]
-  const std::uint8_t* loaded;  ///< as in Memory
+  const std::uint8_t* loaded;  ///< as in ContactState
   const Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };
@@ -86,7 +86,7 @@ struct GatherLoop {
   std::uint64_t rows_end;           ///< number of rows
   const Row<Real, S::spins>* rows;
   const ContactCount* contacts;
-  std::uint8_t* loaded;  ///< as in Memory
+  std::uint8_t* loaded;  ///< as in ContactState
   Load<Real, S::spins>* loads;
   Particle<Real, S::spins>* particles;
 };
@@ -105,7 +105,7 @@ template <class S>
 struct Kernels {
   ContactSum (*contacts)(const ContactLoop<S>&, std::size_t begin, std::size_t end);
   double (*drift)(const DriftLoop<S>&, std::size_t begin,
-                  std::size_t end);  ///< square of the longest way [d_s^2]
+                  std::size_t end);  ///< square of the largest displacement [d_s^2]
   MotionSum (*gather)(const GatherLoop<S>&, std::size_t begin, std::size_t end);
 };
 

@@ -77,26 +77,26 @@ class TouchingRows {
     append(found);
   }
 
-  /// The same of `count` near rows, a block at most.
+  /// The same of `count` inner list, a block at most.
   template <class Parted>
-  void look(const NearRow* near, std::size_t count, Found<Real>& found, Parted&& parted) {
+  void look(const InnerPair* inner, std::size_t count, Found<Real>& found, Parted&& parted) {
     count_ = count;
     for (std::size_t n = 0; n < count; ++n) {
-      i_[n] = std::uint64_t{8} * near[n].i;
-      j_[n] = std::uint64_t{8} * near[n].j;
-      row_[n] = std::uint64_t{4} * near[n].row;
-      if (loop_.quarter != nullptr) std::memcpy(quarter_ + n, loop_.quarter + near[n].row, sizeof(Quarter));
+      i_[n] = std::uint64_t{8} * inner[n].i;
+      j_[n] = std::uint64_t{8} * inner[n].j;
+      row_[n] = std::uint64_t{4} * inner[n].row;
+      if (loop_.quarter != nullptr) std::memcpy(quarter_ + n, loop_.quarter + inner[n].row, sizeof(Quarter));
     }
     take();
     compare<true>(0);
-    for (std::size_t n = 0; n < count; ++n) note_change(n, near[n].row, parted);
+    for (std::size_t n = 0; n < count; ++n) note_change(n, inner[n].row, parted);
     append(found);
   }
 
-  /// Notes which of the rows looked at last, the first of which is `row`, are near; answers how many.
-  std::size_t note_near(std::uint64_t row, NearRow* near) const {
-    const D wider(1 + loop_.near_skin.relative);
-    const D fixed(loop_.near_skin.fixed);
+  /// Notes which of the rows looked at last, the first of which is `row`, are inner; answers how many.
+  std::size_t note_inner(std::uint64_t row, InnerPair* inner) const {
+    const D wider(1 + loop_.inner_skin.relative);
+    const D fixed(loop_.inner_skin.fixed);
     std::size_t noted = 0;
     for (std::size_t n = 0; n < count_; n += lanes) {
       const D reach = wider * D::from(reach_ + n) + fixed;
@@ -104,8 +104,8 @@ class TouchingRows {
       for (; bits != 0; bits &= bits - 1) {
         const std::size_t k = n + static_cast<std::size_t>(__builtin_ctz(bits));
         if (k >= count_) break;
-        near[noted++] = {static_cast<RowNumber>(row + k), static_cast<std::uint32_t>(i_[k] / 8),
-                         static_cast<std::uint32_t>(j_[k] / 8)};
+        inner[noted++] = {static_cast<RowNumber>(row + k), static_cast<std::uint32_t>(i_[k] / 8),
+                          static_cast<std::uint32_t>(j_[k] / 8)};
       }
     }
     return noted;
@@ -182,20 +182,14 @@ class TouchingRows {
   /// or count on from `first`.
   template <bool named>
   void compare(std::uint64_t first) {
-    const Triangle& h = loop_.edges;
-    const D xx(h.xx), yy(h.yy), zz(h.zz), yz(h.yz), xz(h.xz), xy(h.xy);
+    const Triangle h = loop_.edges;  // a copy, which no store below can change
     touching_ = 0;
     // Rows, times 4. Highway 1.0.3 makes an Iota one by one in memory and then waits for it: once is enough.
     const Tag<std::uint64_t> whole;
     auto here = hn::ShiftLeft<2>(hn::Iota(whole, first));
     const auto next = hn::Set(whole, 4 * lanes);
     for (std::size_t n = 0; n < count_; n += lanes) {
-      const D sx = difference<0>(n);
-      const D sy = difference<1>(n);
-      const D sz = difference<2>(n);
-      const D x = xx * sx + xy * sy + xz * sz;
-      const D y = yy * sy + yz * sz;
-      const D z = zz * sz;
+      const auto [x, y, z] = times(h, Vec3<D>{difference<0>(n), difference<1>(n), difference<2>(n)});
       const D square = x * x + y * y + z * z;
       const D reach = D::from(reach_ + n);
       const unsigned touch = bits_of(square < reach * reach);
@@ -272,8 +266,7 @@ class TouchingRows {
       if (loop_.quarter != nullptr)
         s[a] += std::nearbyint(0.25 * static_cast<std::int8_t>(quarter_[n] >> 8 * a) - s[a]);
     }
-    const Triangle& h = loop_.edges;
-    return {h.xx * s[0] + h.xy * s[1] + h.xz * s[2], h.yy * s[1] + h.yz * s[2], h.zz * s[2]};
+    return times(loop_.edges, Vec3<double>{s[0], s[1], s[2]});
   }
 
   static HWY_INLINE void narrow(const D& value, double* to) { value.to(to); }
@@ -313,7 +306,7 @@ class TouchingRows {
   std::int32_t quarter_[block + margin];                 ///< of the image, as bytes
   double reach_[block + margin];                         ///< R_i + R_j [d_s]
   std::uint64_t i_[block + margin], j_[block + margin];  ///< particles, times 8
-  std::uint64_t row_[block + margin];                    ///< rows, times 4, of near rows
+  std::uint64_t row_[block + margin];                    ///< rows, times 4, of inner list
   double square_[block + margin];                        ///< |branch|^2 [d_s^2]
   std::uint8_t bits_[block / lanes + 8];                 ///< which lanes touch
   struct Touching {

@@ -15,7 +15,7 @@
   DO(Frictionless<true> __VA_OPT__(, ) __VA_ARGS__)
 
 /// DO(law, real) for each law in each precision.
-#define FURNAS_FOR_EACH_SCENE(DO) FURNAS_FOR_EACH_LAW(DO, double) FURNAS_FOR_EACH_LAW(DO, float)
+#define FURNAS_FOR_EACH_NUMERICS(DO) FURNAS_FOR_EACH_LAW(DO, double) FURNAS_FOR_EACH_LAW(DO, float)
 
 namespace furnas {
 
@@ -28,5 +28,25 @@ using VariantOf = std::variant<Laws...>;
 /// One of the laws on the list, with its constants.
 using AnyLaw = detail::VariantOf<void FURNAS_FOR_EACH_LAW(FURNAS_COMMA_LAW)>;
 #undef FURNAS_COMMA_LAW
+
+/// The constants of a law.
+inline const HookeConstants& constants_of(const AnyLaw& any) {
+  return std::visit([](const auto& law) -> const HookeConstants& { return law.constants; }, any);
+}
+
+/// Whether particles turn and contacts have histories under a law.
+inline bool has_friction(const AnyLaw& any) {
+  return std::visit([](const auto& law) { return law.spins; }, any);
+}
+
+/// How hard a contact resists under a law.
+inline ContactStiffness stiffness_of(const AnyLaw& any, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return law.stiffness(touch); }, any);
+}
+
+/// Energy of a contact under a law.
+inline ContactEnergy energy_of(const AnyLaw& any, const Touch<double>& touch, const Vec3<double>& history) {
+  return std::visit([&](const auto& law) { return law.energy(touch, history); }, any);
+}
 
 }  // namespace furnas

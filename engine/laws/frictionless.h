@@ -5,7 +5,7 @@
 
 namespace furnas {
 
-/// The scene without friction: no spin, no history, no torque. Equal to HookeSynchronized at mu = 0, or
+/// The law without friction: no spin, no history, no torque. Equal to HookeSynchronized at mu = 0, or
 /// with `legacy` to HookeHistory at mu = 0.
 template <bool legacy>
 struct Frictionless {
@@ -15,13 +15,23 @@ struct Frictionless {
 
   HookeConstants constants;
 
+  /// As the springs resist at this overlap; all that asks how stiff a contact is asks here.
+  [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>&) const {
+    return hooke_stiffness(constants, spins);
+  }
+  /// As the springs hold it.
+  [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
+    return hooke_energy(constants, t, history);
+  }
+
   template <class R>
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>&) const {
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     const Vec3<R>& velocity = synchronized ? t.now.velocity : t.midway.velocity;
     const R v_n = dot(velocity, n);
-    const R f_n = normal_force(constants, t.overlap, t.reduced_mass, v_n);
-    return {f_n * n, t.overlap, R(0), {normal_loss(f_n, t.overlap, v_n, t.time_step)}};
+    const R spring = hooke_spring(t);
+    const R f_n = normal_force(constants, spring, t.reduced_mass, v_n);
+    return {f_n * n, spring, R(0), {normal_loss(f_n, spring, v_n, t.time_step)}};
   }
 };
 

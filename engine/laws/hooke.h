@@ -16,33 +16,52 @@ struct HookeConstants {
   bool winding = true;  ///< damping may wind the spring of a sliding contact beyond Coulomb's limit
 };
 
-/// F_n = k_n overlap - m_eff gamma_n v_n, v_n the normal velocity (positive when the particles part).
+/// The spring of the normal force, k_n overlap with k_n = 1 [k_n d_s].
 template <class R>
-[[gnu::always_inline]] inline R normal_force(const HookeConstants& c, const R& overlap, const R& reduced_mass,
+[[gnu::always_inline]] inline R hooke_spring(const Touch<R>& t) {
+  return t.overlap;
+}
+
+/// Stiffness and damping of a Hookean contact, the same for any touch; without spins there is no tangential
+/// force.
+[[gnu::always_inline]] inline ContactStiffness hooke_stiffness(const HookeConstants& c, bool spins) {
+  if (!spins) return {1, 0, c.normal_damping, 0};
+  return {1, c.tangential_stiffness, c.normal_damping, c.tangential_damping};
+}
+
+/// Energy of a Hookean contact, k_n overlap^2/2 and k_t xi^2/2.
+[[gnu::always_inline]] inline ContactEnergy hooke_energy(const HookeConstants& c, const Touch<double>& t,
+                                                         const Vec3<double>& history) {
+  return {0.5 * t.overlap * t.overlap, 0.5 * c.tangential_stiffness * dot(history, history)};
+}
+
+/// F_n = spring - m_eff gamma_n v_n, v_n the normal velocity (positive when the particles part).
+template <class R>
+[[gnu::always_inline]] inline R normal_force(const HookeConstants& c, const R& spring, const R& reduced_mass,
                                              const R& normal_velocity) {
-  const R force = overlap - reduced_mass * R(c.normal_damping) * normal_velocity;
+  const R force = spring - reduced_mass * R(c.normal_damping) * normal_velocity;
   return c.attraction ? force : larger(force, R(0));
 }
 
 /// Energy taken out by the damping part of the normal force in a step, with v_n as in normal_force().
 template <class R>
-[[gnu::always_inline]] inline R normal_loss(const R& force, const R& overlap, const R& normal_velocity,
+[[gnu::always_inline]] inline R normal_loss(const R& force, const R& spring, const R& normal_velocity,
                                             const R& time_step) {
-  return (overlap - force) * normal_velocity * time_step;
+  return (spring - force) * normal_velocity * time_step;
 }
 
 /// What happened to a tangential spring within a step, before Coulomb's limit cuts it.
 template <class R>
 struct SpringStep {
-  Vec3<R> before;  ///< history at its start, carried to its end [d_s]
-  Vec3<R> way;     ///< slip of the surfaces within it [d_s]
-  Vec3<R> slip;    ///< slip velocity with which the damping works [d_s/time]
+  Vec3<R> before;     ///< history at its start, carried to its end [d_s]
+  Vec3<R> increment;  ///< tangential displacement of the surfaces within it [d_s]
+  Vec3<R> slip;       ///< slip velocity with which the damping works [d_s/time]
 };
 
-/// The whole reaction, from the motion along the normal `n` and the spring. `history` is the spring at the
-/// end of the step; it is cut so that spring and damping together keep to Coulomb's limit. Where
-/// `slides_free`, a contact beyond the limit has no tangential force and keeps its history. Arms are R -
-/// `shortening`.
+/// The whole reaction, from the normal `spring`, the motion along the normal `n` and the tangential spring
+/// `s`. `history` is the spring at the end of the step; it is cut so that spring and damping together keep to
+/// Coulomb's limit. Where `slides_free`, a contact beyond the limit has no tangential force and keeps its
+/// history. Arms are R - `shortening`.
 ///
 /// With winding, as in the study, the damping of the cut is that of the whole slip; the more it exceeds the
 /// limit the further the spring is stretched the other way. Without, a slider stands in series with spring
@@ -53,11 +72,11 @@ struct SpringStep {
 /// what the spring has stored.
 template <class R, class Truth>
 [[gnu::always_inline]] inline Reaction<R> hooke_reaction(const HookeConstants& c, const Touch<R>& t,
-                                                         const Vec3<R>& n, const R& v_n, const R& shortening,
-                                                         const SpringStep<R>& s, const Truth& slides_free,
-                                                         Vec3<R>& history) {
+                                                         const R& spring, const Vec3<R>& n, const R& v_n,
+                                                         const R& shortening, const SpringStep<R>& s,
+                                                         const Truth& slides_free, Vec3<R>& history) {
   using std::abs;
-  const R f_n = normal_force(c, t.overlap, t.reduced_mass, v_n);
+  const R f_n = normal_force(c, spring, t.reduced_mass, v_n);
   const R stiffness(c.tangential_stiffness);
   const R dashpot = t.reduced_mass * R(c.tangential_damping);
   Vec3<R> damping = dashpot * s.slip;
@@ -77,24 +96,12 @@ template <class R, class Truth>
   if (!c.winding)
     damping = select(slides, select(slides_free, damping, -(f_t + stiffness * history)), damping);
   const R loss = t.time_step * dot(damping, s.slip) +
-                 R(0.5) * stiffness * dot(s.before + history, s.before + s.way - history);
+                 R(0.5) * stiffness * dot(s.before + history, s.before + s.increment - history);
   const R sliding = select(slides, loss, R(0));
   return {f_n * n + f_t,
-          t.overlap,
+          spring,
           shortening,
-          {normal_loss(f_n, t.overlap, v_n, t.time_step), loss - sliding, sliding}};
-}
-
-/// Energy of a tangential spring [k_n d_s^2].
-template <class R>
-R tangential_energy(const HookeConstants& c, const Vec3<R>& history) {
-  return R(0.5) * R(c.tangential_stiffness) * dot(history, history);
-}
-
-/// Energy of an overlap [k_n d_s^2].
-template <class R>
-R normal_energy(R overlap) {
-  return R(0.5) * overlap * overlap;
+          {normal_loss(f_n, spring, v_n, t.time_step), loss - sliding, sliding}};
 }
 
 }  // namespace furnas

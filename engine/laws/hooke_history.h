@@ -18,18 +18,27 @@ struct HookeHistory {
 
   HookeConstants constants;
 
+  /// As the springs resist at this overlap; all that asks how stiff a contact is asks here.
+  [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>&) const {
+    return hooke_stiffness(constants, spins);
+  }
+  /// As the springs hold it.
+  [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
+    return hooke_energy(constants, t, history);
+  }
+
   /// `history` is the tangential displacement xi of i against j [d_s].
   template <class R>
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
     const Vec3<R> n = t.branch * (R(1) / t.distance);
     const Vec3<R> slip = slip_velocity(t.midway, n, t.radius_i, t.radius_j);
     const Vec3<R> before = history;
-    const Vec3<R> way = slip * t.time_step;
-    history += way;
+    const Vec3<R> increment = slip * t.time_step;
+    history += increment;
     const auto fresh = is_zero(history);
     history = select(t.time_step > R(0), history - dot(history, n) * n, history);
-    return hooke_reaction(constants, t, n, dot(t.midway.velocity, n), R(0), SpringStep<R>{before, way, slip},
-                          fresh, history);
+    return hooke_reaction(constants, t, hooke_spring(t), n, dot(t.midway.velocity, n), R(0),
+                          SpringStep<R>{before, increment, slip}, fresh, history);
   }
 };
 

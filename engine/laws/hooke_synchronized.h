@@ -34,6 +34,15 @@ struct HookeSynchronized {
 
   HookeConstants constants;
 
+  /// As the springs resist at this overlap; all that asks how stiff a contact is asks here.
+  [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>&) const {
+    return hooke_stiffness(constants, spins);
+  }
+  /// As the springs hold it.
+  [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
+    return hooke_energy(constants, t, history);
+  }
+
   /// `history` is the tangential displacement xi of i against j [d_s].
   template <class R>
   [[gnu::always_inline]] Reaction<R> operator()(const Touch<R>& t, Vec3<R>& history) const {
@@ -42,7 +51,8 @@ struct HookeSynchronized {
     SpringStep<R> spring = aged(t, n, history);
     spring.slip = slip_velocity(t.now, n, t.radius_i - shortening, t.radius_j - shortening);
     const auto never = R(1) < R(0);
-    return hooke_reaction(constants, t, n, dot(t.now.velocity, n), shortening, spring, never, history);
+    return hooke_reaction(constants, t, hooke_spring(t), n, dot(t.now.velocity, n), shortening, spring, never,
+                          history);
   }
 
  private:

@@ -34,6 +34,38 @@ struct ContactLosses {
   R sliding{};  ///< all that the tangential force took in a step that ended at the Coulomb limit
 };
 
+/// How hard the springs and dashpots of a contact resist at an instant: what a law answers to stiffness().
+struct ContactStiffness {
+  double normal{};              ///< dF_n/d overlap of the spring [k_n]
+  double tangential{};          ///< dF_t/d xi of the spring; 0 for a law without friction [k_n]
+  double normal_damping{};      ///< of the normal velocity, over the reduced mass [1/time]
+  double tangential_damping{};  ///< of the slip velocity, over the reduced mass [1/time]
+
+  /// Largest stiffness against a motion of the pair, as a multiple of 1/m_eff: slip of two spheres meets 7/2
+  /// of the inverse mass, because they also turn [k_n].
+  [[gnu::always_inline]] double stiffest() const {
+    return 3.5 * tangential > normal ? 3.5 * tangential : normal;
+  }
+};
+
+/// Energy of the springs of a contact [k_n d_s^2]: what a law answers to energy().
+struct ContactEnergy {
+  double normal{};
+  double tangential{};
+};
+
+/// Two spheres in contact without any motion, as stiffness() and energy() want to see them.
+[[gnu::always_inline]] inline Touch<double> resting_touch(double radius_i, double radius_j,
+                                                          double reduced_mass, double overlap) {
+  Touch<double> touch{};
+  touch.distance = radius_i + radius_j - overlap;
+  touch.overlap = overlap;
+  touch.radius_i = radius_i;
+  touch.radius_j = radius_j;
+  touch.reduced_mass = reduced_mass;
+  return touch;
+}
+
 /// What the law answers.
 template <class R>
 struct Reaction {

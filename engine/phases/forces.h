@@ -3,19 +3,20 @@
 #include <vector>
 
 #include "engine/model.h"
-#include "engine/state/near_rows.h"
+#include "engine/state/inner_list.h"
 #include "engine/state/state.h"
 
 namespace furnas {
 
-/// Applies the law to each pair of the list that overlaps: one row a pair, the memory carried on, the
-/// contacts' part of the stress times the volume, and their work. Pairs that do not overlap get a row of
+/// Applies the law to each pair of the list that overlaps: one row a pair, their contact state carried on,
+/// the contacts' part of the stress times the volume, and their work. Pairs that do not overlap get a row of
 /// zeros and lose their history. `time_step` 0: forces as they are, without a step that led there.
-template <class Scene>
+template <class Numerics>
 void contact_forces(const Model& model, const double& time_step, const Cell& cell, const PairList& pairs,
-                    const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
-                    const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
-                    Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
-                    NearRows& near, Eigen::Matrix3d& stress, ContactWork& work);
+                    const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
+                    const std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
+                    Rows<typename Numerics::Real, Numerics::spins>& rows,
+                    ContactState<typename Numerics::Real>& contact_state, InnerList& inner,
+                    Eigen::Matrix3d& stress, ContactWork& work);
 
 }  // namespace furnas

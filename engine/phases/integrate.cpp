@@ -24,64 +24,65 @@ CellDragStep cell_drag(const Barostat& bath, const Triangle& rate, std::size_t c
 
 }  // namespace
 
-template <class Scene>
+template <class Numerics>
 void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                    const Memory<typename Scene::Real>& memory,
-                    const std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
-                    std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
-                    LongestWay& longest_way) {
-  const DriftLoop<Scene> loop{time_step,
-                              cell_drag(bath, cell.rate, particles.size(), time_step),
-                              inverse(cell.edges),
-                              pairs.edges,
-                              memory.loaded.data(),
-                              loads.data(),
-                              particles.data()};
-  const auto kernel = kernels<Scene>().drift;
-  longest_way.assign(pairs.classes.size(), 0);
+                    const ContactState<typename Numerics::Real>& contact_state,
+                    const std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
+                    std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
+                    StepDisplacement& step_displacement) {
+  const DriftLoop<Numerics> loop{time_step,
+                                 cell_drag(bath, cell.rate, particles.size(), time_step),
+                                 inverse(cell.edges),
+                                 pairs.edges,
+                                 contact_state.loaded.data(),
+                                 loads.data(),
+                                 particles.data()};
+  const auto kernel = kernels<Numerics>().drift;
+  step_displacement.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
-    std::vector<double> longest((group.last - group.first + chunk - 1) / chunk);
+    std::vector<double> largest((group.last - group.first + chunk - 1) / chunk);
     for_chunks(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end, std::size_t piece) {
-      longest[piece] = kernel(loop, group.first + begin, group.first + end);
+      largest[piece] = kernel(loop, group.first + begin, group.first + end);
     });
-    for (double top : longest) longest_way[c] = std::max(longest_way[c], top);
+    for (double top : largest) step_displacement[c] = std::max(step_displacement[c], top);
   }
 }
 
-template <class Scene>
+template <class Numerics>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
-                     const Rows<typename Scene::Real, Scene::spins>& rows,
-                     Memory<typename Scene::Real>& memory,
-                     std::vector<Load<typename Scene::Real, Scene::spins>>& loads,
-                     std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                     const Rows<typename Numerics::Real, Numerics::spins>& rows,
+                     ContactState<typename Numerics::Real>& contact_state,
+                     std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
+                     std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                      Eigen::Matrix3d& motion) {
-  const GatherLoop<Scene> loop{time_step,
-                               cell_drag(bath, cell.rate, particles.size(), time_step),
-                               pairs.first.data(),
-                               pairs.incoming_first.data(),
-                               pairs.incoming.data(),
-                               pairs.rows(),
-                               rows.data(),
-                               memory.contacts.data(),
-                               memory.loaded.data(),
-                               loads.data(),
-                               particles.data()};
-  const auto kernel = kernels<Scene>().gather;
+  const GatherLoop<Numerics> loop{time_step,
+                                  cell_drag(bath, cell.rate, particles.size(), time_step),
+                                  pairs.first.data(),
+                                  pairs.incoming_first.data(),
+                                  pairs.incoming.data(),
+                                  pairs.rows(),
+                                  rows.data(),
+                                  contact_state.contacts.data(),
+                                  contact_state.loaded.data(),
+                                  loads.data(),
+                                  particles.data()};
+  const auto kernel = kernels<Numerics>().gather;
   const auto sum = ordered_sum<MotionSum>(
       particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                                     \
-  template void kick_and_drift<Scene<Law, Real>>(                                                         \
-      const Barostat&, const double&, const Cell&, const PairList&, const Memory<Real>&,                  \
-      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, LongestWay&); \
-  template void gather_and_kick<Scene<Law, Real>>(                                                        \
-      const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,        \
-      Memory<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&,      \
+#define FURNAS_INSTANTIATE(Law, Real)                                                                      \
+  template void kick_and_drift<Numerics<Law, Real>>(                                                       \
+      const Barostat&, const double&, const Cell&, const PairList&, const ContactState<Real>&,             \
+      const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&,                \
+      StepDisplacement&);                                                                                  \
+  template void gather_and_kick<Numerics<Law, Real>>(                                                      \
+      const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,         \
+      ContactState<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, \
       Eigen::Matrix3d&);
-FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
+FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

@@ -3,14 +3,6 @@
 #include <utility>
 
 namespace furnas {
-namespace {
-
-/// sum_ab a_ab b_ab.
-double contraction(const Triangle& a, const Triangle& b) {
-  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + a.yz * b.yz + a.xz * b.xz + a.xy * b.xy;
-}
-
-}  // namespace
 
 void book_cell_drag(const double& time_step, const std::size_t& particles, const Cell& cell,
                     const Eigen::Matrix3d& motion, Ledger& ledger) {

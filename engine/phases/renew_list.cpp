@@ -6,22 +6,25 @@
 
 #include "engine/base/parallel.h"
 #include "engine/search/find_pairs.h"
+#include "engine/search/inner_skin.h"
 #include "engine/search/merge.h"
-#include "engine/search/near_rows.h"
 
 namespace furnas {
 
-void watch_wear(const std::int64_t& step, const LongestWay& longest_way, const Cell& cell,
-                const PairList& pairs, Wear& wear) {
-  for (std::size_t c = 0; c < longest_way.size(); ++c) wear.travelled[c] += std::sqrt(longest_way[c]);
-  wear.suspect = is_time_to_ask(pairs, step) ||
-                 !list_is_complete(pairs, wear.travelled, shrinkage_bound(cell.edges, pairs.edges));
+void add_displacement(const std::int64_t& step, const StepDisplacement& step_displacement, const Cell& cell,
+                      const PairList& pairs, ListDisplacement& displacement) {
+  for (std::size_t c = 0; c < step_displacement.size(); ++c)
+    displacement.largest[c] += std::sqrt(step_displacement[c]);
+  displacement.suspect =
+      is_time_to_ask(pairs, step) ||
+      !list_is_complete(pairs, displacement.largest, shrinkage_bound(cell.edges, pairs.edges));
 }
 
-template <class Scene>
-void measure_wear(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                  const PairList& pairs,
-                  const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear) {
+template <class Numerics>
+void measure_displacement(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                          const PairList& pairs,
+                          const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
+                          ListDisplacement& displacement) {
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
     struct Furthest {
@@ -32,23 +35,23 @@ void measure_wear(const std::optional<double>& skin, const std::int64_t& step, c
         ordered_sum<Furthest>(group.last - group.first, 1024, [&](std::size_t begin, std::size_t end) {
           Furthest piece;
           for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
-            const Vec3<double> way =
+            const Vec3<double> moved =
                 pairs.edges * nearest_difference(particles[i].position, pairs.reference[i]);
-            piece += {dot(way, way)};
+            piece += {dot(moved, moved)};
           }
           return piece;
         });
-    wear.travelled[c] = std::sqrt(furthest.square);
+    displacement.largest[c] = std::sqrt(furthest.square);
   }
   const double shrunk = shrinkage(cell.edges, pairs.edges);
-  wear.worn = !list_is_complete(pairs, wear.travelled, shrunk) ||
-              is_too_wide(pairs, wear.travelled, shrunk, step, skin);
+  displacement.outdated = !list_is_complete(pairs, displacement.largest, shrunk) ||
+                          is_too_wide(pairs, displacement.largest, shrunk, step, skin);
 }
 
-template <class Scene>
+template <class Numerics>
 void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                   const Wear& wear, const PairList& pairs,
-                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                   const ListDisplacement& displacement, const PairList& pairs,
+                   const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                    ListDraft& draft) {
   std::vector<Fraction>& positions = draft.fresh.reference;
   positions.resize(particles.size());
@@ -60,8 +63,8 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
     }
   });
   draft.fresh.classes = pairs.classes;
-  draft.fresh.skin =
-      next_skin(pairs, wear.travelled, pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
+  draft.fresh.skin = next_skin(pairs, displacement.largest,
+                               pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
   draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, positions);
 }
 
@@ -69,59 +72,61 @@ void search_pairs(const Cell& cell, ListDraft& draft) {
   find_pairs(draft.grids, cell.edges, draft.radii, draft.fresh);
 }
 
-template <class Scene>
+template <class Numerics>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
-                std::vector<Image>& image, Wear& wear) {
+                Rows<typename Numerics::Real, Numerics::spins>& rows,
+                ContactState<typename Numerics::Real>& contact_state, std::vector<Image>& image,
+                ListDisplacement& displacement) {
   const std::vector<Fraction>& positions = draft.fresh.reference;
   for_chunks(pairs.reference.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) image[i] = crossed(image[i], pairs.reference[i], positions[i]);
   });
-  merge_memory(pairs, memory, draft.fresh, positions, Scene::spins);
+  merge_contact_state(pairs, contact_state, draft.fresh, positions, Numerics::spins);
   draft.fresh.step = step;
   draft.fresh.builds = pairs.builds + 1;
   pairs = std::move(draft.fresh);
   draft = {};  // of many particles it takes much memory, of few no time
   rows.assign(pairs.rows(), {});
-  wear.travelled.assign(pairs.classes.size(), 0);
-  wear.suspect = wear.worn = false;
+  displacement.largest.assign(pairs.classes.size(), 0);
+  displacement.suspect = displacement.outdated = false;
 }
 
-void watch_near_rows(const std::int64_t& step, const double& time_step, const LongestWay& longest_way,
-                     const Cell& cell, const PairList& pairs, NearRows& near) {
-  if (near.builds == pairs.builds) {
-    if (near.kept) {
-      // Ways are measured in the cell of the list.
-      const double stretch = 1 + strain_between(pairs.edges, near.edges);
-      for (std::size_t c = 0; c < longest_way.size(); ++c)
-        near.travelled[c] += stretch * std::sqrt(longest_way[c]);
-      near.worn = !rows_are_complete(pairs.classes, near.skin, near.edges, near.travelled,
-                                     shrinkage_bound(cell.edges, near.edges));
+void watch_inner_list(const std::int64_t& step, const double& time_step,
+                      const StepDisplacement& step_displacement, const Cell& cell, const PairList& pairs,
+                      InnerList& inner) {
+  if (inner.builds == pairs.builds) {
+    if (inner.kept) {
+      // Displacements are measured in the cell of the list.
+      const double stretch = 1 + strain_between(pairs.edges, inner.edges);
+      for (std::size_t c = 0; c < step_displacement.size(); ++c)
+        inner.displacement[c] += stretch * std::sqrt(step_displacement[c]);
+      inner.outdated = !rows_are_complete(pairs.classes, inner.skin, inner.edges, inner.displacement,
+                                          shrinkage_bound(cell.edges, inner.edges));
     }
-    if (!near.worn || (!near.kept && !is_time_to_ask(pairs, step))) return;
+    if (!inner.outdated || (!inner.kept && !is_time_to_ask(pairs, step))) return;
   }
-  near.builds = pairs.builds;
-  near.worn = true;
-  near.edges = cell.edges;
-  near.travelled.assign(pairs.classes.size(), 0);
+  inner.builds = pairs.builds;
+  inner.outdated = true;
+  inner.edges = cell.edges;
+  inner.displacement.assign(pairs.classes.size(), 0);
   double motion = 0;
-  for (double square : longest_way) motion = std::max(motion, 2 * std::sqrt(square));
+  for (double square : step_displacement) motion = std::max(motion, 2 * std::sqrt(square));
   const Triangle& e = cell.rate;
   const double strain = time_step * std::hypot(std::hypot(e.xx, e.yy, e.zz), std::hypot(e.yz, e.xz, e.xy));
-  choose_near_skin(pairs, motion, strain, near);
+  choose_inner_skin(pairs, motion, strain, inner);
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                                        \
-  template void measure_wear<Scene<Law, Real>>(const std::optional<double>&, const std::int64_t&,            \
-                                               const Cell&, const PairList&,                                 \
-                                               const std::vector<Particle<Real, Law::spins>>&, Wear&);       \
-  template void bin_particles<Scene<Law, Real>>(const std::optional<double>&, const std::int64_t&,           \
-                                                const Cell&, const Wear&, const PairList&,                   \
-                                                const std::vector<Particle<Real, Law::spins>>&, ListDraft&); \
-  template void adopt_list<Scene<Law, Real>>(const std::int64_t&, ListDraft&, PairList&,                     \
-                                             Rows<Real, Law::spins>&, Memory<Real>&, std::vector<Image>&,    \
-                                             Wear&);
-FURNAS_FOR_EACH_SCENE(FURNAS_INSTANTIATE)
+#define FURNAS_INSTANTIATE(Law, Real)                                                          \
+  template void measure_displacement<Numerics<Law, Real>>(                                     \
+      const std::optional<double>&, const std::int64_t&, const Cell&, const PairList&,         \
+      const std::vector<Particle<Real, Law::spins>>&, ListDisplacement&);                      \
+  template void bin_particles<Numerics<Law, Real>>(                                            \
+      const std::optional<double>&, const std::int64_t&, const Cell&, const ListDisplacement&, \
+      const PairList&, const std::vector<Particle<Real, Law::spins>>&, ListDraft&);            \
+  template void adopt_list<Numerics<Law, Real>>(const std::int64_t&, ListDraft&, PairList&,    \
+                                                Rows<Real, Law::spins>&, ContactState<Real>&,  \
+                                                std::vector<Image>&, ListDisplacement&);
+FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

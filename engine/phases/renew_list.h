@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/phases/integrate.h"
+#include "engine/search/displacement.h"
 #include "engine/search/grid.h"
-#include "engine/search/wear.h"
-#include "engine/state/near_rows.h"
+#include "engine/state/inner_list.h"
 #include "engine/state/state.h"
 
 namespace furnas {
@@ -18,34 +18,39 @@ struct ListDraft {
   PairList fresh;  ///< its reference: the positions
 };
 
-/// Adds the longest ways of this step to the wear and says whether it must be measured.
-void watch_wear(const std::int64_t& step, const LongestWay& longest_way, const Cell& cell,
-                const PairList& pairs, Wear& wear);
+/// Adds the largest displacements of this step to those since the build, and says whether these must be
+/// measured.
+void add_displacement(const std::int64_t& step, const StepDisplacement& step_displacement, const Cell& cell,
+                      const PairList& pairs, ListDisplacement& displacement);
 
 /// Measures how far particles have really moved since the list was built.
-template <class Scene>
-void measure_wear(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                  const PairList& pairs,
-                  const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles, Wear& wear);
+template <class Numerics>
+void measure_displacement(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
+                          const PairList& pairs,
+                          const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
+                          ListDisplacement& displacement);
 
 /// Chooses the skin and sorts the particles into bins.
-template <class Scene>
+template <class Numerics>
 void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                   const Wear& wear, const PairList& pairs,
-                   const std::vector<Particle<typename Scene::Real, Scene::spins>>& particles,
+                   const ListDisplacement& displacement, const PairList& pairs,
+                   const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                    ListDraft& draft);
 
 /// Lists the pairs.
 void search_pairs(const Cell& cell, ListDraft& draft);
 
-/// Puts the new list in the place of the old one; the memory and the count of crossed cells survive.
-template <class Scene>
+/// Puts the new list in the place of the old one; the contact state and the count of crossed cells survive.
+template <class Numerics>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                Rows<typename Scene::Real, Scene::spins>& rows, Memory<typename Scene::Real>& memory,
-                std::vector<Image>& image, Wear& wear);
+                Rows<typename Numerics::Real, Numerics::spins>& rows,
+                ContactState<typename Numerics::Real>& contact_state, std::vector<Image>& image,
+                ListDisplacement& displacement);
 
-/// Adds the longest ways of this step to those of the near rows, and says whether they must be noted anew.
-void watch_near_rows(const std::int64_t& step, const double& time_step, const LongestWay& longest_way,
-                     const Cell& cell, const PairList& pairs, NearRows& near);
+/// Adds the largest displacements of this step to those of the inner list, and says whether it must be noted
+/// anew.
+void watch_inner_list(const std::int64_t& step, const double& time_step,
+                      const StepDisplacement& step_displacement, const Cell& cell, const PairList& pairs,
+                      InnerList& inner);
 
 }  // namespace furnas

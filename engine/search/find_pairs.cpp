@@ -13,7 +13,7 @@ namespace furnas {
 namespace {
 
 /// Places in the cell are rounded to 2^-53 of it here, contacts are not: bins and reach are this much wider.
-constexpr double hair = 1e-9;
+constexpr double tolerance = 1e-9;
 
 constexpr std::size_t chunk = 512;  ///< particles
 
@@ -71,7 +71,7 @@ class Nearness {
     const double square = dot(branch, branch);
     if (square >= most * most) return false;
     const double sum = radii_[i] + radii_[j];
-    const double reach = (1 + hair) * (sum + skin_(sum));
+    const double reach = (1 + tolerance) * (sum + skin_(sum));
     return square < reach * reach;
   }
   const Triangle& edges() const { return edges_; }
@@ -179,7 +179,7 @@ std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids, con
       for (std::size_t c = 0; c < grids.size(); ++c) {
         if (list.classes[c].first <= j) continue;  // of its own class or larger
         const double sum = list.classes[c].largest_radius + near.radius(j);
-        find_smaller(grids[c], edges, near, (1 + 2 * hair) * (sum + list.skin(sum)),
+        find_smaller(grids[c], edges, near, (1 + 2 * tolerance) * (sum + list.skin(sum)),
                      static_cast<std::uint32_t>(j), in_unit_cell(list.reference[j]), pieces[piece]);
       }
   });
@@ -266,7 +266,8 @@ std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin&
   std::vector<Grid> grids;
   for (const SizeClass& c : classes) {
     const double radii = 2 * c.largest_radius;
-    grids.push_back(make_grid(edges, (1 + 2 * hair) * (radii + skin(radii)), positions, c.first, c.last));
+    grids.push_back(
+        make_grid(edges, (1 + 2 * tolerance) * (radii + skin(radii)), positions, c.first, c.last));
   }
   return grids;
 }

@@ -26,10 +26,10 @@ std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& i
 }
 
 template <class Real>
-void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
-                  const std::vector<Fraction>& positions, bool friction) {
-  const Memory<Real> before = std::exchange(memory, {});
-  memory.clear(fresh.rows(), positions.size(), friction);
+void merge_contact_state(const PairList& old, ContactState<Real>& contact_state, const PairList& fresh,
+                         const std::vector<Fraction>& positions, bool friction) {
+  const ContactState<Real> before = std::exchange(contact_state, {});
+  contact_state.clear(fresh.rows(), positions.size(), friction);
   for_chunks(old.first.empty() ? 0 : positions.size(), 1024,
              [&](std::size_t begin, std::size_t end, std::size_t) {
                for (std::size_t i = begin; i < end; ++i) {
@@ -41,17 +41,17 @@ void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fre
                    while (k < fresh.first[i + 1] && fresh.partner[k] < j) ++k;
                    for (std::uint64_t n = k; n < fresh.first[i + 1] && fresh.partner[n] == j; ++n)
                      if (image_of_row(fresh, n, positions[i], positions[j]) == image) {
-                       memory.touch(n, static_cast<std::uint32_t>(i), j);
-                       if (friction) memory.springs[n] = before.springs[o];
+                       contact_state.touch(n, static_cast<std::uint32_t>(i), j);
+                       if (friction) contact_state.springs[n] = before.springs[o];
                      }
                  }
                }
              });
 }
 
-template void merge_memory<double>(const PairList&, Memory<double>&, const PairList&,
-                                   const std::vector<Fraction>&, bool);
-template void merge_memory<float>(const PairList&, Memory<float>&, const PairList&,
-                                  const std::vector<Fraction>&, bool);
+template void merge_contact_state<double>(const PairList&, ContactState<double>&, const PairList&,
+                                          const std::vector<Fraction>&, bool);
+template void merge_contact_state<float>(const PairList&, ContactState<float>&, const PairList&,
+                                         const std::vector<Fraction>&, bool);
 
 }  // namespace furnas

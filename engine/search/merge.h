@@ -16,10 +16,11 @@ std::array<std::int8_t, 3> image_of_row(const PairList& list, std::uint64_t k, c
 std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& image, const Fraction& i,
                                              const Fraction& j);
 
-/// Carries the memory of the pairs of `old` over to those of `fresh` that mean the same image of the same
-/// pair; that of other pairs is lost, and new pairs have none. Both lists are about particles at `positions`.
+/// Carries the contact state of the pairs of `old` over to those of `fresh` that mean the same image of the
+/// same pair; that of other pairs is lost, and new pairs have none. Both lists are about particles at
+/// `positions`.
 template <class Real>
-void merge_memory(const PairList& old, Memory<Real>& memory, const PairList& fresh,
-                  const std::vector<Fraction>& positions, bool friction);
+void merge_contact_state(const PairList& old, ContactState<Real>& contact_state, const PairList& fresh,
+                         const std::vector<Fraction>& positions, bool friction);
 
 }  // namespace furnas

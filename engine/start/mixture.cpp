@@ -131,7 +131,7 @@ Packing dilute_start(const Mixture& m) {
     }
     p.species[k] = is_large ? Species::large : Species::small;
     p.radius[k] = is_large ? large_radius : small_radius;
-    p.mass[k] = sphere_volume(p.radius[k]);
+    p.mass[k] = sphere_mass(p.radius[k]);
     p.fraction[k] = to_fraction(s);
   }
   return p;

@@ -10,13 +10,24 @@ namespace furnas {
 struct Triangle {
   double xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
 
-  Vec3<double> operator*(const Vec3<double>& v) const {
-    return {xx * v.x + xy * v.y + xz * v.z, yy * v.y + yz * v.z, zz * v.z};
-  }
+  Vec3<double> operator*(const Vec3<double>& v) const;
   double determinant() const { return xx * yy * zz; }
   double trace() const { return xx + yy + zz; }
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
+
+/// h v; `R` is a number, or lanes of numbers.
+template <class R>
+[[gnu::always_inline]] inline Vec3<R> times(const Triangle& h, const Vec3<R>& v) {
+  return {R(h.xx) * v.x + R(h.xy) * v.y + R(h.xz) * v.z, R(h.yy) * v.y + R(h.yz) * v.z, R(h.zz) * v.z};
+}
+
+inline Vec3<double> Triangle::operator*(const Vec3<double>& v) const { return times(*this, v); }
+
+/// a : b, the sum of a_ij b_ij over all components.
+inline double contraction(const Triangle& a, const Triangle& b) {
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + a.yz * b.yz + a.xz * b.xz + a.xy * b.xy;
+}
 
 /// Whether all six are numbers.
 inline bool finite(const Triangle& t) {

@@ -42,7 +42,7 @@ inline Vec3<double> in_unit_cell(const Fraction& s) {
           static_cast<double>(s.z) * (1 / two_to_64)};
 }
 
-/// Cells crossed after a way of less than half a cell from `before` to `now`.
+/// Cells crossed after a displacement of less than half a cell from `before` to `now`.
 inline Image crossed(const Image& image, const Fraction& before, const Fraction& now) {
   const auto component = [](std::int32_t cells, std::uint64_t a, std::uint64_t b) {
     const bool forward = static_cast<std::int64_t>(b - a) >= 0;

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
+#include "engine/base/sphere.h"
 #include "engine/base/vec3.h"
 #include "engine/state/cell.h"
 #include "engine/state/fraction.h"
@@ -19,6 +19,15 @@ enum class Species : std::uint8_t { large = 0, small = 1 };
 
 /// Particles of a packing at most: the bins of the search, two a particle, are numbered with 32 bits.
 inline constexpr std::int64_t most_particles = 2'147'483'647;
+
+/// Share of Coulomb's limit that rounding to single precision may take from a force that was cut to it.
+inline constexpr double coulomb_tolerance = 1e-6;
+
+/// Whether a tangential force has reached Coulomb's limit, but for a share `tolerance` of it.
+inline bool at_coulomb_limit(double tangential, double normal, double friction,
+                             double tolerance = coulomb_tolerance) {
+  return tangential >= (1 - tolerance) * friction * normal;
+}
 
 /// A touch of two particles, as it stands at the end of a step.
 struct Contact {
@@ -79,7 +88,7 @@ struct Packing {
   double sphere_volume() const {
     double sum = 0;
     for (double r : radius) sum += r * r * r;
-    return sum * (4 * std::numbers::pi / 3);
+    return sum * furnas::sphere_volume(1);
   }
 
   /// Packing fraction phi.

@@ -10,7 +10,7 @@ namespace furnas {
 
 /// A law and the number type of the forces: what decides which fields a particle carries.
 template <class LawType, class RealType>
-struct Scene {
+struct Numerics {
   using Law = LawType;
   using Real = RealType;
   static constexpr bool spins = Law::spins;

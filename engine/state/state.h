@@ -21,13 +21,13 @@ using Rows = std::vector<Row<Real, spins>>;
 
 /// What the pairs of the list remember from one step to the next.
 template <class Real>
-struct Memory {
+struct ContactState {
   std::vector<Spring<Real>> springs;   ///< one a pair; zero while it does not touch; empty without friction
   std::vector<std::uint8_t> touching;  ///< one a pair: 1 if it touched in the last step
   std::vector<ContactCount> contacts;  ///< one a particle: pairs of its that touched in the last step
   std::vector<std::uint8_t> loaded;    ///< one a particle: 0 only if it touches nothing and its load is zero
 
-  /// A memory of pairs that have never touched.
+  /// The state of pairs that have never touched.
   void clear(std::size_t pairs, std::size_t particles, bool friction) {
     springs.assign(friction ? pairs : 0, {});
     touching.assign(pairs, 0);
@@ -45,19 +45,19 @@ struct Memory {
 
 /// Everything that a step changes. Particles are in order of size class, then along a space-filling
 /// curve; `id` tells who they are.
-template <class Scene>
+template <class Numerics>
 struct State {
-  using Real = typename Scene::Real;
+  using Real = typename Numerics::Real;
 
   std::int64_t step{};
   Cell cell;
   Stress stress;
   Ledger ledger;
-  std::vector<Particle<Real, Scene::spins>> particles;
-  std::vector<Load<Real, Scene::spins>> loads;
+  std::vector<Particle<Real, Numerics::spins>> particles;
+  std::vector<Load<Real, Numerics::spins>> loads;
   PairList pairs;
-  Rows<Real, Scene::spins> rows;
-  Memory<Real> memory;
+  Rows<Real, Numerics::spins> rows;
+  ContactState<Real> contact_state;
 
   std::vector<std::uint32_t> id;  ///< index of each place in the packing
   std::vector<double> mass;       ///< [rho d_s^3]

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "engine/analysis/measure.h"
 #include "engine/certificate/overlaps.h"
+#include "engine/monitor/measure.h"
 #include "engine/search/size_classes.h"
 #include "engine/simulation.h"
 #include "engine/state/fingerprint.h"

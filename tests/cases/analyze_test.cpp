@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "cases/packing_source.h"
+#include "cases/program/packing_source.h"
 #include "engine/base/require.h"
 #include "io/checkpoint.h"
 #include "io/formats.h"

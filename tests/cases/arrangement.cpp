@@ -102,7 +102,7 @@ Packing packing_of(const Arrangement& a, bool apart) {
     const std::size_t k = p.size();
     p.resize(k + 1);
     p.radius[k] = 0.5 * (1 + s.growth / 100.0);
-    p.mass[k] = sphere_mass(1, p.radius[k]);
+    p.mass[k] = sphere_mass(p.radius[k]);
     p.fraction[k] = {fixed(s.x), fixed(s.y), fixed(s.z)};
     p.velocity[k] = 1e-3 * Vec3<double>{double(s.velocity[0]), double(s.velocity[1]), double(s.velocity[2])};
     if (is_crowded(p, k, apart)) p.resize(k);

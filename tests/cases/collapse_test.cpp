@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/state/validate.h"
 #include "tests/cases/runs.h"
 

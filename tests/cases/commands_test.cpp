@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/case_templates.h"
-#include "cases/program.h"
+#include "cases/program/case_templates.h"
+#include "cases/program/program.h"
 #include "io/case_file.h"
 #include "io/case_schema.h"
 #include "io/sweep_file.h"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "tests/cases/process.h"
 #include "tests/cases/runs.h"
 #include "tests/cases/same_run.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "tests/cases/process.h"
 #include "tests/cases/runs.h"
 #include "tests/cases/same_run.h"

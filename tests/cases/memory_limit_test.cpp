@@ -1,4 +1,4 @@
-#include "cases/memory_limit.h"
+#include "cases/program/memory_limit.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

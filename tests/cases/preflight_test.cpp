@@ -1,4 +1,4 @@
-#include "cases/preflight.h"
+#include "cases/program/preflight.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cases/program.h"
+#include "cases/program/program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/folder_lock.h"
+#include "cases/program/run/folder_lock.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
 
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 /// A command that does what the test says.
 Command command_that(std::function<ExitCode(Console)> run) {
-  return {"act", "does what the test says", "furnas act", [](CLI::App&) {}, std::move(run)};
+  return {"act", "does what the test says", "furnas act", [](CommandLine&) {}, std::move(run)};
 }
 
 struct Answer {

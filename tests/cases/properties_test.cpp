@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/scenario.h"
+#include "cases/program/run/scenario.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
 #include "io/formats.h"

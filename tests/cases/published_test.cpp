@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <ostream>
 
-#include "cases/build_info.h"
-#include "engine/structure/statistics.h"
+#include "cases/program/build_info.h"
+#include "engine/statistics/statistics.h"
 #include "io/case_file.h"
 #include "tests/cases/runs.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "cases/scenario.h"
+#include "cases/program/run/scenario.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
 #include "io/lammps_data.h"

@@ -1,4 +1,4 @@
-#include "cases/replication.h"
+#include "cases/program/replication.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <thread>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/state/fingerprint.h"
 #include "tests/cases/runs.h"
 #include "tests/cases/same_run.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/program.h"
+#include "cases/program/program.h"
 #include "tests/io/packings.h"
 
 namespace furnas {

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/state/fingerprint.h"
 #include "tests/io/packings.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "cases/recording.h"
-#include "cases/scenario.h"
+#include "cases/program/run/recording.h"
+#include "cases/program/run/scenario.h"
 #include "engine/analysis/rattlers.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
@@ -141,12 +141,12 @@ void expect_equal_means(double friction, double other) {
 TEST(NightlyFriction, ATinyOneIsNone) { expect_equal_means(1e-6, 0); }
 TEST(NightlyFriction, AnEnormousOneIsInfinite) { expect_equal_means(1e3, 1e30); }
 
-// T50: and so is each step: the way of a packing with little friction leaves that of one without in
+// T50: and so is each step: the displacement of a packing with little friction leaves that of one without in
 // proportion to the friction, until chaos takes over (at 1e-6 within these steps).
 TEST(Friction, IsContinuousAtZero) {
   const auto end = [](double friction) {
     Case c;
-    c.compute.precision = "double";  // ways of 1e-10
+    c.compute.precision = "double";  // displacements of 1e-10
     c.mixture.large = 100;
     c.mixture.start_fraction = 0.3;
     c.contact.friction = friction;
@@ -158,15 +158,16 @@ TEST(Friction, IsContinuousAtZero) {
   };
   const Packing none = end(0);
   ASSERT_GT(none.contacts.size(), 50u);
-  const auto way = [&](double friction) {
+  const auto displacement = [&](double friction) {
     const Packing p = end(friction);
     double largest = 0;
     for (std::size_t k = 0; k < p.size(); ++k)
       largest = std::max(largest, norm(p.unwrapped(k) - none.unwrapped(k)));
     return largest / friction;
   };
-  EXPECT_GT(way(1e-7), 1);
-  for (double friction : {1e-8, 1e-9, 1e-10}) EXPECT_NEAR(way(friction) / way(1e-7), 1, 0.01);
+  EXPECT_GT(displacement(1e-7), 1);
+  for (double friction : {1e-8, 1e-9, 1e-10})
+    EXPECT_NEAR(displacement(friction) / displacement(1e-7), 1, 0.01);
 }
 
 }  // namespace

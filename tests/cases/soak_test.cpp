@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/start/mixture.h"
 #include "tests/cases/process.h"
 #include "tests/cases/runs.h"

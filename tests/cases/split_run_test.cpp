@@ -4,7 +4,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/start/mixture.h"
 #include "tests/cases/runs.h"
 #include "tests/cases/same_run.h"

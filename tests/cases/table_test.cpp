@@ -1,4 +1,4 @@
-#include "cases/table.h"
+#include "cases/program/table.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "cases/recording.h"
+#include "cases/program/run/recording.h"
 #include "engine/events/limits.h"
 #include "engine/events/monitor.h"
 #include "tests/engine/support/compaction.h"

@@ -33,10 +33,10 @@ struct Outcome {
 
 class Determinism : public ::testing::TestWithParam<Case> {
  protected:
-  Outcome run(const Model& with, int threads = 1, Schedule schedule = Schedule::in_order) const {
+  Outcome run(const Model& with, int threads = 1, Execution execution = Execution::in_order) const {
     // More threads than the machine has, so that several really work.
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
-    const auto simulation = make_simulation(with, start, threads, schedule);
+    const auto simulation = make_simulation(with, start, threads, execution);
     simulation->advance(steps);
     return {simulation->packing(), simulation->builds()};
   }
@@ -74,9 +74,9 @@ TEST_P(Determinism, TheRunHasSomethingToDisagreeAbout) {
 TEST_P(Determinism, TheSameBitsForAnyThreadsAndSchedule) {
   const Packing expected = run(model).end;
   for (int threads : {1, 2, 3, 5, 8})
-    for (Schedule schedule : {Schedule::in_order, Schedule::as_graph})
-      EXPECT_TRUE(test::same_packing(run(model, threads, schedule).end, expected))
-          << threads << " threads, " << (schedule == Schedule::as_graph ? "as graph" : "in order");
+    for (Execution execution : {Execution::in_order, Execution::as_graph})
+      EXPECT_TRUE(test::same_packing(run(model, threads, execution).end, expected))
+          << threads << " threads, " << (execution == Execution::as_graph ? "as graph" : "in order");
 }
 
 TEST_P(Determinism, TheSameBitsOnEveryInstructionSet) {
@@ -89,7 +89,7 @@ TEST_P(Determinism, TheSameBitsOnEveryInstructionSet) {
   for (InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
     choose(set);
     if (instruction_set() == set)
-      EXPECT_TRUE(test::same_packing(run(model, 2, Schedule::as_graph).end, expected)) << to_string(set);
+      EXPECT_TRUE(test::same_packing(run(model, 2, Execution::as_graph).end, expected)) << to_string(set);
     else
       lacks += std::string(" ") + to_string(set);
   }

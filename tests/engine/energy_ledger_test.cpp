@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/analysis/energy.h"
+#include "engine/monitor/energy.h"
 #include "tests/engine/laws/collision.h"
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/support/compaction.h"

@@ -31,7 +31,7 @@ class FakeSimulation : public Simulation {
   int threads() const override { return 1; }
   std::int64_t builds() const override { return 17; }
   std::size_t pairs() const override { return 0; }
-  std::size_t near_pairs() const override { return 0; }
+  std::size_t inner_pairs() const override { return 0; }
   const StepGraph& graph() const override { throw ContractError("a made-up simulation has no phases"); }
 
   Model& model() { return model_; }

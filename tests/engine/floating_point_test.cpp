@@ -7,12 +7,12 @@
 #include <limits>
 #include <vector>
 
-#include "engine/analysis/measure.h"
 #include "engine/base/parallel.h"
-#include "tests/engine/scenes.h"
+#include "engine/monitor/measure.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -33,9 +33,9 @@ Model driven_model() {
   return model;
 }
 
-Packing end_of_slow_run(int threads, Schedule schedule) {
+Packing end_of_slow_run(int threads, Execution execution) {
   const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
-  const auto simulation = make_simulation(driven_model(), slow_gas(1e-310), threads, schedule);
+  const auto simulation = make_simulation(driven_model(), slow_gas(1e-310), threads, execution);
   simulation->advance(20);
   return simulation->packing();
 }
@@ -43,7 +43,7 @@ Packing end_of_slow_run(int threads, Schedule schedule) {
 // T64: velocities of 1e-310, which processors keep with ever fewer digits, are taken for zero on every
 // thread.
 TEST(Denormals, AreZeroOnEveryThread) {
-  const Packing expected = end_of_slow_run(1, Schedule::in_order);
+  const Packing expected = end_of_slow_run(1, Execution::in_order);
   std::size_t at_rest = 0;
   for (const Vec3<double>& v : expected.velocity) {
     EXPECT_FALSE(std::fpclassify(v.x) == FP_SUBNORMAL || std::fpclassify(v.y) == FP_SUBNORMAL ||
@@ -52,8 +52,8 @@ TEST(Denormals, AreZeroOnEveryThread) {
   }
   EXPECT_GT(at_rest, expected.size() / 2);  // the others have touched
   for (int threads : {1, 2, 5, 8})
-    for (Schedule schedule : {Schedule::in_order, Schedule::as_graph})
-      EXPECT_TRUE(test::same_packing(end_of_slow_run(threads, schedule), expected)) << threads;
+    for (Execution execution : {Execution::in_order, Execution::as_graph})
+      EXPECT_TRUE(test::same_packing(end_of_slow_run(threads, execution), expected)) << threads;
 }
 
 /// Time of the processor that some steps take [s].

@@ -9,9 +9,9 @@
 
 #include "engine/base/require.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "engine/events/flip.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 #include "tests/engine/support/symmetries.h"
 
 namespace furnas {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 #include "tests/engine/support/symmetries.h"
 
 namespace furnas {

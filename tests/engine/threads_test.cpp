@@ -15,10 +15,10 @@
 #include "engine/events/limits.h"
 #include "engine/events/renew_order.h"
 #include "engine/state/fingerprint.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -44,10 +44,10 @@ struct Job {
   int steps = 500;
 };
 
-Outcome run(int threads, Schedule schedule = Schedule::automatic, const Job& job = {}) {
+Outcome run(int threads, Execution execution = Execution::automatic, const Job& job = {}) {
   Model model = test::hasty_model(0.3);
   model.barostat.inertia = 1e6;
-  const auto simulation = make_simulation(model, tilting_gas(job.large), threads, schedule);
+  const auto simulation = make_simulation(model, tilting_gas(job.large), threads, execution);
   Observation now(*simulation, 3);
   Events events;
   events.push_back(std::make_unique<Flip>());
@@ -59,7 +59,7 @@ Outcome run(int threads, Schedule schedule = Schedule::automatic, const Job& job
 
 /// The run on one thread; all others must equal it.
 const Outcome& alone() {
-  static const Outcome outcome = run(1, Schedule::in_order);
+  static const Outcome outcome = run(1, Execution::in_order);
   return outcome;
 }
 
@@ -81,7 +81,7 @@ TEST_F(Threads, TheRunIsLively) {
 TEST_F(Threads, AnyNumberGivesTheSameBits) {
   for (int threads : {2, 3, 5, 8, 16})
     EXPECT_TRUE(test::same_packing(run(threads).end, alone().end)) << threads;
-  EXPECT_TRUE(test::same_packing(run(5, Schedule::in_order).end, alone().end));
+  EXPECT_TRUE(test::same_packing(run(5, Execution::in_order).end, alone().end));
 }
 
 // T51: arenas that get fewer workers than they have places.
@@ -145,12 +145,12 @@ class Delays {
 // to chance. The packing is so large that even the loops over rows have many pieces.
 TEST_F(Threads, DelaysChangeNoBit) {
   constexpr Job large{.large = 80, .steps = 150};
-  const Outcome expected = run(1, Schedule::in_order, large);
+  const Outcome expected = run(1, Execution::in_order, large);
   EXPECT_GT(expected.builds, 3);
   EXPECT_GT(expected.end.contacts.size(), 500u);
   for (int threads : {3, 8}) {
     const Delays delays(static_cast<std::uint64_t>(threads));
-    EXPECT_TRUE(test::same_packing(run(threads, Schedule::automatic, large).end, expected.end)) << threads;
+    EXPECT_TRUE(test::same_packing(run(threads, Execution::automatic, large).end, expected.end)) << threads;
     EXPECT_GT(Delays::pieces(), 5000);
     EXPECT_GT(Delays::threads(), 1u);
   }

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "engine/analysis/measure.h"
+#include "engine/monitor/measure.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 #include "tests/engine/support/symmetries.h"
 
 namespace furnas {

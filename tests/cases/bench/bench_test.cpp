@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cases/bench/packings.h"
-#include "cases/bench/speed.h"
+#include "cases/program/bench/packings.h"
+#include "cases/program/bench/speed.h"
 #include "io/lammps_data.h"
 #include "tests/cases/runs.h"
 

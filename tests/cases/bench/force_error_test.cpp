@@ -1,8 +1,8 @@
-#include "cases/bench/force_error.h"
+#include "cases/program/bench/force_error.h"
 
 #include <gtest/gtest.h>
 
-#include "cases/bench/packings.h"
+#include "cases/program/bench/packings.h"
 #include "engine/simulation.h"
 #include "io/lammps_data.h"
 #include "tests/io/packings.h"

@@ -1,12 +1,12 @@
-#include "cases/bench/lammps.h"
+#include "cases/program/bench/lammps.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "cases/bench/packings.h"
-#include "cases/bench/peers.h"
+#include "cases/program/bench/packings.h"
+#include "cases/program/bench/peers.h"
 #include "engine/base/require.h"
 #include "engine/simulation.h"
 #include "io/lammps_data.h"

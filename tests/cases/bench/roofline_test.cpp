@@ -1,4 +1,4 @@
-#include "cases/bench/roofline.h"
+#include "cases/program/bench/roofline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cases/figures/report.h"
+#include "cases/program/figures/report.h"
 #include "engine/base/require.h"
 #include "tests/cases/sweep/made_rows.h"
 #include "tests/io/packings.h"

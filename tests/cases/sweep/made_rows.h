@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "cases/sweep/sample_table.h"
+#include "cases/program/sweep/sample_table.h"
 
 namespace furnas {
 

@@ -1,4 +1,4 @@
-#include "cases/sweep/plan.h"
+#include "cases/program/sweep/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "cases/build_info.h"
+#include "cases/program/build_info.h"
 #include "engine/base/require.h"
 #include "io/case_file.h"
 #include "tests/io/packings.h"

@@ -1,11 +1,11 @@
-#include "cases/sweep/points.h"
+#include "cases/program/sweep/points.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cases/sweep/refinement.h"
+#include "cases/program/sweep/refinement.h"
 #include "engine/base/require.h"
-#include "engine/structure/furnas_model.h"
+#include "engine/statistics/furnas_model.h"
 #include "tests/cases/sweep/made_rows.h"
 #include "tests/io/packings.h"
 

@@ -1,4 +1,4 @@
-#include "cases/sweep/sweep.h"
+#include "cases/program/sweep/sweep.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <csignal>
 #include <thread>
 
-#include "cases/sweep/sample_table.h"
+#include "cases/program/sweep/sample_table.h"
 #include "tests/cases/process.h"
 #include "tests/io/packings.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

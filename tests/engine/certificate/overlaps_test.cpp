@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/laws/hooke_synchronized.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -16,12 +16,12 @@ using Motion = Stiffness::Motion;
 constexpr double pressure = 0.03;
 
 /// A network with the backbone of all its particles.
-struct Scene {
+struct Sample {
   ContactNetwork network;
   Backbone backbone;
   Stiffness stiffness;
 
-  Scene(const Packing& p, const Springs& springs)
+  Sample(const Packing& p, const Springs& springs)
       : network(contact_network(p, springs)),
         backbone(find_backbone(network, p.species, {0, 0})),
         stiffness(network, backbone, pressure) {}
@@ -63,41 +63,41 @@ Vec3<double> moved(const StaticContact& c, const Motion& m, Eigen::Index per_par
 }
 
 /// U + p V of springs without friction after a motion.
-double enthalpy(const Scene& scene, const Motion& m) {
-  double sum = pressure * scene.network.volume * (1 + m.strain[0]) * (1 + m.strain[1]) * (1 + m.strain[2]);
-  for (const StaticContact& c : scene.network.contacts) {
-    const double overlap = scene.network.radius[c.i] + scene.network.radius[c.j] - norm(moved(c, m, 3));
+double enthalpy(const Sample& sample, const Motion& m) {
+  double sum = pressure * sample.network.volume * (1 + m.strain[0]) * (1 + m.strain[1]) * (1 + m.strain[2]);
+  for (const StaticContact& c : sample.network.contacts) {
+    const double overlap = sample.network.radius[c.i] + sample.network.radius[c.j] - norm(moved(c, m, 3));
     sum += 0.5 * overlap * overlap;
   }
   return sum;
 }
 
 TEST(Stiffness, IsTheSecondDerivativeOfTheEnthalpy) {
-  const Scene scene(squeezed(0), {});
+  const Sample sample(squeezed(0), {});
   for (std::uint64_t seed : {1, 2, 3}) {
-    const Motion v = random_motion(scene.stiffness, seed);
-    const auto at = [&](double x) { return enthalpy(scene, plus({0 * v.particles, Strain::Zero()}, x, v)); };
+    const Motion v = random_motion(sample.stiffness, seed);
+    const auto at = [&](double x) { return enthalpy(sample, plus({0 * v.particles, Strain::Zero()}, x, v)); };
     // Fourth order: the step leaves (h/delta)^4; 1e-12 of an energy of 10 over h^2 is rounding.
     constexpr double h = 3e-4;
     const double second = (16 * (at(h) + at(-h)) - (at(2 * h) + at(-2 * h)) - 30 * at(0)) / (12 * h * h);
-    const double expected = work(v, scene.stiffness.times(v));
+    const double expected = work(v, sample.stiffness.times(v));
     EXPECT_NEAR(second / expected, 1, 1e-6);
   }
 }
 
 /// Work of the forces of the default law, done by `m` on the forces that a motion by x m leaves. The law sees
 /// the motion as one step without damping.
-double work_of_law(const Scene& scene, const Motion& m, double x) {
+double work_of_law(const Sample& sample, const Motion& m, double x) {
   const HookeSynchronized law{
       {.tangential_stiffness = 1, .normal_damping = 0, .tangential_damping = 0, .friction = 1e30}};
   double sum = 0;
   const Motion small{x * m.particles, x * m.strain};
-  for (const StaticContact& c : scene.network.contacts) {
+  for (const StaticContact& c : sample.network.contacts) {
     Touch<double> t;
     t.branch = moved(c, small, 6);
     t.distance = norm(t.branch);
-    t.radius_i = scene.network.radius[c.i];
-    t.radius_j = scene.network.radius[c.j];
+    t.radius_i = sample.network.radius[c.i];
+    t.radius_j = sample.network.radius[c.j];
     t.overlap = t.radius_i + t.radius_j - t.distance;
     t.reduced_mass = 1;
     t.time_step = 1;
@@ -120,17 +120,17 @@ double work_of_law(const Scene& scene, const Motion& m, double x) {
 TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
   Packing packing = squeezed(0);
   for (Contact& c : packing.contacts) c.history *= 100;  // as large as overlaps, so that its turning counts
-  const Scene scene(packing, {.tangential = 1, .friction = 0.3, .at_limit = -1e300});
-  ASSERT_EQ(scene.stiffness.bridges(), 0) << "their spin is held besides";
+  const Sample sample(packing, {.tangential = 1, .friction = 0.3, .at_limit = -1e300});
+  ASSERT_EQ(sample.stiffness.bridges(), 0) << "their spin is held besides";
   for (std::uint64_t seed : {4, 5, 6}) {
-    const Motion v = random_motion(scene.stiffness, seed);
+    const Motion v = random_motion(sample.stiffness, seed);
     constexpr double h = 1e-6;
-    const double answer = (work_of_law(scene, v, h) - work_of_law(scene, v, -h)) / (2 * h);
+    const double answer = (work_of_law(sample, v, h) - work_of_law(sample, v, -h)) / (2 * h);
     Strain volume = Strain::Zero();
     volume.head<3>().setConstant(v.strain.head<3>().sum());
     volume.head<3>() -= v.strain.head<3>();
-    const double of_volume = pressure * scene.network.volume * v.strain.dot(volume);
-    const double expected = work(v, scene.stiffness.times(v)) - of_volume;
+    const double of_volume = pressure * sample.network.volume * v.strain.dot(volume);
+    const double expected = work(v, sample.stiffness.times(v)) - of_volume;
     // The turning of friction is 1e-3 of the answer: it must be right, too. Rounding over the step leaves
     // 1e-9.
     EXPECT_NEAR(answer / expected, 1, 1e-8);
@@ -148,11 +148,11 @@ TEST(Stiffness, OfAContactThatSlidesIsAcrossItsFriction) {
     c.i = 1, c.j = 0;
     c.history = {0, share * 0.3 * (1 - r) / kt, 0};
     pair.contacts = {c};
-    const Scene scene(pair, {.tangential = kt, .friction = 0.3});
-    ASSERT_EQ(scene.network.contacts.at(0).sliding, share == 1.0);
+    const Sample sample(pair, {.tangential = kt, .friction = 0.3});
+    ASSERT_EQ(sample.network.contacts.at(0).sliding, share == 1.0);
     const auto cost = [&](Eigen::Index axis) {
       Motion m{Eigen::VectorXd::Unit(12, axis), Strain::Zero()};
-      return work(m, scene.stiffness.times(m));
+      return work(m, sample.stiffness.times(m));
     };
     EXPECT_NEAR(cost(0), 1, 1e-14);
     EXPECT_NEAR(cost(1), (share == 1.0 ? 0 : kt) - (1 - r) / r, 1e-14) << share;
@@ -173,25 +173,25 @@ TEST(Stiffness, IsInDoubtByWhatItsSpheresLack) {
     c.i = 1, c.j = 0;
     c.history = {0, across, 0};
     pair.contacts = {c};
-    const Scene scene(pair, {.friction = friction});
+    const Sample sample(pair, {.friction = friction});
     const double lacking = 2 * (std::hypot(push, across) + r / 2 * across / 0.5);
     const double expected = lacking * (friction > 0 ? std::sqrt(2) : 1) / r;
-    const Eigen::Index of_second = scene.stiffness.per_particle();
-    Motion step{Eigen::VectorXd::Zero(scene.stiffness.unknowns()), Strain::Zero()};
+    const Eigen::Index of_second = sample.stiffness.per_particle();
+    Motion step{Eigen::VectorXd::Zero(sample.stiffness.unknowns()), Strain::Zero()};
     step.particles[of_second] = 1;
-    EXPECT_NEAR(scene.stiffness.doubt(step), 0, 1e-16) << "no force turns";
+    EXPECT_NEAR(sample.stiffness.doubt(step), 0, 1e-16) << "no force turns";
     step.particles[of_second + 1] = 1;
     // Places in a cell of 10 are known to 1e-15, which is 1e-13 of the overlap.
-    EXPECT_NEAR(scene.stiffness.doubt(step) / expected, 1, 1e-12);
+    EXPECT_NEAR(sample.stiffness.doubt(step) / expected, 1, 1e-12);
     step.particles *= 2;
-    EXPECT_NEAR(scene.stiffness.doubt(step) / expected, 4, 1e-12);
+    EXPECT_NEAR(sample.stiffness.doubt(step) / expected, 4, 1e-12);
   }
 }
 
 TEST(Stiffness, AsMatricesIsTheSame) {
   for (double friction : {0.0, 0.3}) {
-    const Scene scene(jammed(), {.tangential = 0.8, .friction = friction});
-    const Stiffness& k = scene.stiffness;
+    const Sample sample(jammed(), {.tangential = 0.8, .friction = friction});
+    const Stiffness& k = sample.stiffness;
     const Motion v = random_motion(k, 7);
     const Motion force = k.times(v);
     const Eigen::VectorXd particles = k.among_particles().selfadjointView<Eigen::Lower>() * v.particles +
@@ -206,10 +206,10 @@ TEST(Stiffness, AsMatricesIsTheSame) {
 }
 
 TEST(Stiffness, TranslationCostsNothing) {
-  const Scene scene(jammed(), {.friction = 0.3});
-  Motion all{Eigen::VectorXd::Zero(scene.stiffness.unknowns()), Strain::Zero()};
+  const Sample sample(jammed(), {.friction = 0.3});
+  Motion all{Eigen::VectorXd::Zero(sample.stiffness.unknowns()), Strain::Zero()};
   for (Eigen::Index k = 0; k < all.particles.size(); k += 6) all.particles.segment<3>(k) << 1, 2, 3;
-  const Motion force = scene.stiffness.times(all);
+  const Motion force = sample.stiffness.times(all);
   EXPECT_LT(force.particles.norm(), 1e-12);
   EXPECT_LT(force.strain.norm(), 1e-11);
 }

@@ -159,14 +159,14 @@ TEST(RestWatch, LooksOnceAStep) {
   RestingStory story = always({});
   for (int n = 0; n < 30; ++n) story.watch.look(story.now);
   EXPECT_FALSE(story.watch.report().resting);
-  EXPECT_EQ(story.watch.memory().window.size(), 1u);
+  EXPECT_EQ(story.watch.saved().window.size(), 1u);
 }
 
 TEST(RestWatch, GoesOnFromAWindowThatWasKept) {
   RestingStory story = always({});
   EXPECT_EQ(story.rests_at(7), -1);
   RestWatch another({});
-  another.recall(story.watch.memory());
+  another.restore(story.watch.saved());
   EXPECT_EQ(another.report().waiting_for, story.watch.report().waiting_for);
   EXPECT_EQ(another.report().strain_drift, story.watch.report().strain_drift);
   EXPECT_EQ(another.report().stress_error, story.watch.report().stress_error);

@@ -9,7 +9,7 @@
 
 #include "engine/events/limits.h"
 #include "engine/start/mixture.h"
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

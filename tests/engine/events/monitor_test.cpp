@@ -6,8 +6,8 @@
 #include "engine/base/require.h"
 #include "engine/events/limits.h"
 #include "tests/engine/fake_simulation.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/compaction.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

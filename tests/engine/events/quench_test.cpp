@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/analysis/energy.h"
 #include "engine/events/limits.h"
+#include "engine/monitor/energy.h"
 #include "tests/engine/events/resting_story.h"
 
 namespace furnas {
@@ -81,9 +81,9 @@ int windows_until_due(int restless = -1, int resumed = -1) {
     }
     if (quench->due(story.now)) return window;
     if (window == resumed) {
-      const std::string memory = quench->memory();
+      const std::string saved = quench->saved();
       quench = std::make_unique<Quench>(story.watch);
-      quench->recall(memory);
+      quench->restore(saved);
     }
   }
   return 0;
@@ -105,7 +105,7 @@ TEST(Quench, WaitsForThePeakWhereTwentyHaveNotBroughtRest) {
                     .rattler_energy = swing.at(static_cast<std::size_t>(step) / length)};
     });
     auto quench = std::make_unique<Quench>(story.watch);
-    quench->recall(before);
+    quench->restore(before);
     for (int window = 1; window < 8; ++window) {
       for (int k = 0; k < 10; ++k) {
         story.simulation.advance(story.watch.period(), nullptr);
@@ -113,9 +113,9 @@ TEST(Quench, WaitsForThePeakWhereTwentyHaveNotBroughtRest) {
       }
       if (quench->due(story.now)) return window;
       if (!resumed) continue;
-      const std::string memory = quench->memory();
+      const std::string saved = quench->saved();
       quench = std::make_unique<Quench>(story.watch);
-      quench->recall(memory);
+      quench->restore(saved);
     }
     return 0;
   };
@@ -130,12 +130,12 @@ TEST(Quench, WaitsForThePeakWhereTwentyHaveNotBroughtRest) {
 TEST(Quench, RefusesAMemoryThatIsNone) {
   RestWatch watch({});
   Quench quench(watch);
-  quench.recall("");
-  quench.recall("2 0.5 1 3 1.5e-5");
-  EXPECT_EQ(quench.memory(), "2 0.5 1 3 1.5e-05");
-  for (const char* memory : {"2", "2 0.5 1 3", "2 0.5 1 3 ", "2 0.5 1 3 x", "2 0.5 1 3 -1", "2 0.5 1 3 nan",
-                             "2 0.5 1 3 4 5", "2 0.5 1 3 4 ", "-1 0.5 1 3 4", "2 -0.5 1 3 4", " "})
-    EXPECT_THROW(quench.recall(memory), InputError) << memory;
+  quench.restore("");
+  quench.restore("2 0.5 1 3 1.5e-5");
+  EXPECT_EQ(quench.saved(), "2 0.5 1 3 1.5e-05");
+  for (const char* saved : {"2", "2 0.5 1 3", "2 0.5 1 3 ", "2 0.5 1 3 x", "2 0.5 1 3 -1", "2 0.5 1 3 nan",
+                            "2 0.5 1 3 4 5", "2 0.5 1 3 4 ", "-1 0.5 1 3 4", "2 -0.5 1 3 4", " "})
+    EXPECT_THROW(quench.restore(saved), InputError) << saved;
 }
 
 TEST(Quench, TakesOutAllMotionAndNothingElse) {

@@ -6,9 +6,9 @@
 
 #include "engine/events/flip.h"
 #include "engine/events/limits.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -53,9 +53,9 @@ class SlowRun {
       kick();
       p_.cell.edges.xy += shear_rate * paper_step / 2 * p_.cell.edges.yy;
       for (std::size_t k = 0; k < p_.size(); ++k) {
-        const Fraction way = to_fraction(inverse(p_.cell.edges) * (paper_step * p_.velocity[k]));
+        const Fraction moved = to_fraction(inverse(p_.cell.edges) * (paper_step * p_.velocity[k]));
         Fraction& s = p_.fraction[k];
-        const Fraction now{s.x + way.x, s.y + way.y, s.z + way.z};
+        const Fraction now{s.x + moved.x, s.y + moved.y, s.z + moved.z};
         p_.image[k] = crossed(p_.image[k], s, now);
         s = now;
       }

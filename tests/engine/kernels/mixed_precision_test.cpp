@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/compaction.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -86,11 +86,11 @@ TEST_P(MixedPrecision, MovesWhatIsNearlyAtRest) {
   free.barostat.freedom = CellFreedom::fixed;
   constexpr int steps = 1000;
   const Packing end = after(free, p, steps);
-  const Vec3<double> way = end.unwrapped(0) - p.unwrapped(0);
+  const Vec3<double> moved = end.unwrapped(0) - p.unwrapped(0);
   const double time = steps * free.time_step;
-  EXPECT_NEAR(way.x, 1e-9 * time, 1e-6 * 1e-9 * time);
-  EXPECT_NEAR(way.y, -2e-9 * time, 1e-6 * 2e-9 * time);
-  EXPECT_NEAR(way.z, 3e-12 * time, 2e-13);  // its rounding in a cell of 128 is 2^-46
+  EXPECT_NEAR(moved.x, 1e-9 * time, 1e-6 * 1e-9 * time);
+  EXPECT_NEAR(moved.y, -2e-9 * time, 1e-6 * 2e-9 * time);
+  EXPECT_NEAR(moved.z, 3e-12 * time, 2e-13);  // its rounding in a cell of 128 is 2^-46
 }
 
 // Over some steps of a packing the two stay together: a rounding a step, ten times grown between touching

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/driven.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

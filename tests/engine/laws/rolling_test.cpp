@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/driven.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

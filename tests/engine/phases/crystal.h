@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 

@@ -6,7 +6,7 @@
 
 #include "engine/base/random.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

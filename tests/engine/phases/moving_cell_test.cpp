@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "engine/analysis/measure.h"
+#include "engine/monitor/measure.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/scenes.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -37,10 +37,10 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
     wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 4);
     const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
     const PairList old = test::listed(then, {dice.between(0, 0.5), 0});
-    Memory<double> memory;
-    memory.clear(old.rows(), old.first.size() - 1, true);
+    ContactState<double> contact_state;
+    contact_state.clear(old.rows(), old.first.size() - 1, true);
     for (std::size_t k = 0; k < old.rows(); ++k)
-      if (dice.chance(0.7)) memory.touching[k] = 1, memory.springs[k].history = dice.vector(1);
+      if (dice.chance(0.7)) contact_state.touching[k] = 1, contact_state.springs[k].history = dice.vector(1);
 
     Packing now = then;
     now.cell.edges = product({1.02, 0.98, 1, 0.01, 0, -0.02}, then.cell.edges);
@@ -61,27 +61,28 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
                                    : row_difference(then.fraction[i], then.fraction[j], old.quarter[k]);
         const TouchName name = name_after(now, i, j, d, move[i], move[j]);
         RC_ASSERT(names.insert(name).second);
-        if (memory.touching[k] != 0) expected[name] = memory.springs[k].history;
+        if (contact_state.touching[k] != 0) expected[name] = contact_state.springs[k].history;
       }
 
     const PairList fresh = test::listed(now, {dice.between(0, 0.5), 0});
-    merge_memory(old, memory, fresh, now.fraction, true);
-    RC_ASSERT(memory.springs.size() == fresh.rows() && memory.touching.size() == fresh.rows());
+    merge_contact_state(old, contact_state, fresh, now.fraction, true);
+    RC_ASSERT(contact_state.springs.size() == fresh.rows() && contact_state.touching.size() == fresh.rows());
     std::vector<std::uint32_t> contacts(now.size());
     for (std::uint32_t i = 0; i < now.size(); ++i)
       for (std::uint64_t k = fresh.first[i]; k < fresh.first[i + 1]; ++k) {
         const std::uint32_t j = fresh.partner[k];
-        if (memory.touching[k] != 0) ++contacts[i], ++contacts[j];
+        if (contact_state.touching[k] != 0) ++contacts[i], ++contacts[j];
         Contact c;
         c.i = i;
         c.j = j;
         c.image = image_of_row(fresh, k, now.fraction[i], now.fraction[j]);
         const auto found = expected.find(test::name_of(now, c));
         const Vec3<double> wanted_history = found == expected.end() ? Vec3<double>{} : found->second;
-        RC_ASSERT(test::same_bits(memory.springs[k].history, wanted_history));
-        RC_ASSERT((memory.touching[k] != 0) == (found != expected.end()));
+        RC_ASSERT(test::same_bits(contact_state.springs[k].history, wanted_history));
+        RC_ASSERT((contact_state.touching[k] != 0) == (found != expected.end()));
       }
-    RC_ASSERT(std::equal(contacts.begin(), contacts.end(), memory.contacts.begin(), memory.contacts.end()));
+    RC_ASSERT(std::equal(contacts.begin(), contacts.end(), contact_state.contacts.begin(),
+                         contact_state.contacts.end()));
   }));
 }
 
@@ -92,11 +93,11 @@ TEST(MergeMemory, IsEmptyWhenThereWasNoList) {
   p.cell.edges = {5, 5, 5};
   p.fraction[1] = to_fraction({0.1, 0, 0});
   const PairList fresh = test::listed(p, {0, 0});
-  Memory<double> memory;
-  merge_memory({}, memory, fresh, p.fraction, true);
-  ASSERT_EQ(memory.springs.size(), 1u);
-  EXPECT_EQ(memory.springs[0].history, Vec3<double>{});
-  EXPECT_EQ(memory.touching, std::vector<std::uint8_t>(1));
+  ContactState<double> contact_state;
+  merge_contact_state({}, contact_state, fresh, p.fraction, true);
+  ASSERT_EQ(contact_state.springs.size(), 1u);
+  EXPECT_EQ(contact_state.springs[0].history, Vec3<double>{});
+  EXPECT_EQ(contact_state.touching, std::vector<std::uint8_t>(1));
 }
 
 }  // namespace

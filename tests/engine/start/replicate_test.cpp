@@ -6,11 +6,11 @@
 
 #include "engine/base/require.h"
 #include "engine/simulation.h"
-#include "tests/engine/scenes.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -84,10 +84,10 @@ TEST(Replicate, KeepsTheWaysOfItsParticles) {
   const Packing many = replicate(p, {3, 2, 1});
   std::set<std::array<long, 3>> apart;
   for (std::size_t k = 0; k < many.size(); ++k) {
-    const Vec3<double> way = 0.25 * (many.unwrapped(k) - p.unwrapped(0));
-    EXPECT_NEAR(way.x, std::round(way.x), 1e-12);
-    EXPECT_NEAR(way.y, std::round(way.y), 1e-12);
-    apart.insert({std::lround(way.x), std::lround(way.y), std::lround(way.z)});
+    const Vec3<double> displacement = 0.25 * (many.unwrapped(k) - p.unwrapped(0));
+    EXPECT_NEAR(displacement.x, std::round(displacement.x), 1e-12);
+    EXPECT_NEAR(displacement.y, std::round(displacement.y), 1e-12);
+    apart.insert({std::lround(displacement.x), std::lround(displacement.y), std::lround(displacement.z)});
   }
   EXPECT_EQ(apart, (std::set<std::array<long, 3>>{
                        {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}}));

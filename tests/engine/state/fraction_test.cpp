@@ -82,20 +82,20 @@ TEST(Fraction, CrossedFollowsAnyWay) {
                test::awkward_coordinate(dice)};
     const Fraction start = s;
     Image image{};
-    Vec3<double> way;
+    Vec3<double> displacement;
     for (int step = 0; step < 20; ++step) {
       const Vec3<double> move = dice.vector(0.49);
       const Fraction m = to_fraction(move);
       const Fraction next{s.x + m.x, s.y + m.y, s.z + m.z};
       image = crossed(image, s, next);
       s = next;
-      way += move;
+      displacement += move;
     }
     const Vec3<double> a = in_unit_cell(start);
     const Vec3<double> b = in_unit_cell(s);
-    RC_ASSERT(std::abs(b.x + image[0] - a.x - way.x) < 1e-14);
-    RC_ASSERT(std::abs(b.y + image[1] - a.y - way.y) < 1e-14);
-    RC_ASSERT(std::abs(b.z + image[2] - a.z - way.z) < 1e-14);
+    RC_ASSERT(std::abs(b.x + image[0] - a.x - displacement.x) < 1e-14);
+    RC_ASSERT(std::abs(b.y + image[1] - a.y - displacement.y) < 1e-14);
+    RC_ASSERT(std::abs(b.z + image[2] - a.z - displacement.z) < 1e-14);
   }));
 }
 

@@ -20,7 +20,7 @@ namespace furnas::test {
 template <class Law>
 class Driven {
  public:
-  using S = Scene<Law, double>;
+  using S = Numerics<Law, double>;
 
   /// Force on particle k at a place and a time [k_n d_s].
   using Push = std::function<Vec3<double>(std::size_t k, const Vec3<double>& position, double time)>;
@@ -46,18 +46,18 @@ class Driven {
             "every pair is listed, once");
     state_.loads.resize(start.size());
     state_.rows.assign(state_.pairs.rows(), {});
-    state_.memory.clear(state_.pairs.rows(), start.size(), Law::spins);
+    state_.contact_state.clear(state_.pairs.rows(), start.size(), Law::spins);
     for (const Contact& c : start.contacts) {
-      state_.memory.touch(row(c.i, c.j), c.i, c.j);
-      if constexpr (Law::spins) state_.memory.springs[row(c.i, c.j)].history = c.history;
+      state_.contact_state.touch(row(c.i, c.j), c.i, c.j);
+      if constexpr (Law::spins) state_.contact_state.springs[row(c.i, c.j)].history = c.history;
     }
     gather(0);
   }
 
   void advance(std::int64_t steps) {
     for (std::int64_t n = 0; n < steps; ++n) {
-      LongestWay unused;
-      kick_and_drift<S>(model_.barostat, model_.time_step, state_.cell, state_.pairs, state_.memory,
+      StepDisplacement unused;
+      kick_and_drift<S>(model_.barostat, model_.time_step, state_.cell, state_.pairs, state_.contact_state,
                         state_.loads, state_.particles, unused);
       ++state_.step;
       gather(model_.time_step);
@@ -75,7 +75,7 @@ class Driven {
   std::size_t row(std::size_t i, std::size_t j) const { return state_.pairs.first[i] + j; }
   Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows[row(i, j)].force; }
   Vec3<double> history(std::size_t i, std::size_t j) const {
-    return state_.memory.springs[row(i, j)].history;
+    return state_.contact_state.springs[row(i, j)].history;
   }
 
  private:
@@ -83,13 +83,13 @@ class Driven {
   /// then this one's own.
   void gather(double time_step) {
     contact_forces<S>(model_, time_step, state_.cell, state_.pairs, state_.particles, state_.loads,
-                      state_.rows, state_.memory, every_row_, state_.stress.contacts, work_);
-    gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows, state_.memory,
-                       state_.loads, state_.particles, state_.stress.motion);
+                      state_.rows, state_.contact_state, every_row_, state_.stress.contacts, work_);
+    gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows,
+                       state_.contact_state, state_.loads, state_.particles, state_.stress.motion);
     for (std::size_t k = 0; k < state_.particles.size(); ++k) {
       const Vec3<double> force = push_(k, position(k), time());
       state_.loads[k].force += force;
-      state_.memory.loaded[k] = 1;
+      state_.contact_state.loaded[k] = 1;
       auto& p = state_.particles[k];
       p.velocity += (0.5 * time_step * p.inverse_mass) * force;
     }
@@ -98,7 +98,7 @@ class Driven {
   Model model_;
   Push push_;
   State<S> state_;
-  NearRows every_row_;
+  InnerList every_row_;
   ContactWork work_;
 };
 

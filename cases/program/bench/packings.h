@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cases/program/commands/command.h"
+#include "engine/model.h"
+#include "engine/start/replicate.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// Size ratios that have a case in cases/bench/.
+std::vector<double> benchmark_ratios();
+
+/// Name of the case and of its folder: "alpha_5".
+std::string benchmark_name(double size_ratio);
+
+/// How often to repeat a packing of `particles` to come close to `wanted` of them, with edges that stay
+/// within a factor of two.
+Times times_for(std::size_t particles, double wanted);
+
+/// Which packings to measure with: files, or prepared ones of these ratios, repeated to these sizes.
+struct PackingChoice {
+  std::vector<std::string> files;  ///< packings in any format, or folders of runs; others are not looked for
+  std::string folder = "bench";    ///< where `bench prepare` has put them
+  std::vector<double> ratios;      ///< of the diameters
+  std::vector<double> sizes{1e3, 1e4, 1e5, 1e6};  ///< particles
+};
+
+/// Declares the options of a choice.
+void add_packing_choice(CommandLine& app, PackingChoice& choice);
+
+/// Hands each packing of the choice to `take`, one after the other, with its name. Throws InputError for one
+/// that does not exist; says which sizes cannot be had.
+void for_each_packing(const PackingChoice& choice, Console console,
+                      const std::function<void(const std::string& name, const Packing& packing)>& take);
+
+/// Which model to measure: what a case would say of it.
+struct ModelChoice {
+  std::string law = "hooke_synchronized";  ///< contact.law
+  double friction = 0.3;                   ///< contact.friction
+  std::string precision = "mixed";         ///< compute.precision
+};
+
+/// The model for a packing. Throws InputError for what no case may say.
+Model model_for(const ModelChoice& choice, const Packing& packing);
+
+/// Whether it has spins and histories.
+bool has_friction(const Model& model);
+
+}  // namespace furnas

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace furnas {
+
+/// An option or argument that has been declared; more can be said of it. Its value is checked while the
+/// command line is read.
+class Argument {
+ public:
+  explicit Argument(CLI::Option& option) : option_(&option) {}
+
+  Argument required();                                   ///< the command needs it
+  Argument showing_default();                            ///< the help shows the value it has now
+  Argument separated_by(char letter);                    ///< a list may be one word
+  Argument above_zero();                                 ///< a number above zero
+  Argument not_negative();                               ///< a number of zero or more
+  Argument between(int least, int most);                 ///< a whole number, ends included
+  Argument between(double least, double most);           ///< a number, ends included
+  Argument one_of(const std::vector<std::string>& all);  ///< one of these words
+  Argument excludes(const Argument& other);              ///< not together with it
+  Argument needs(const Argument& other);                 ///< only together with it
+
+ private:
+  CLI::Option* option_;
+};
+
+/// What a command takes from the command line: each option is declared once, with the variable it sets.
+///
+/// It hides CLI11, whose header alone takes a compiler 7 to 10 seconds, from the commands.
+class CommandLine {
+ public:
+  explicit CommandLine(CLI::App& app) : app_(&app) {}
+
+  /// An option "--name", or with a name in capitals an argument, for `value`: a string, a path, a number, an
+  /// optional number or a vector of strings or numbers.
+  template <class T>
+  Argument add(const std::string& name, T& value, const std::string& does);
+
+  /// An option without a value.
+  Argument flag(const std::string& name, bool& value, const std::string& does);
+  Argument flag(const std::string& name, std::function<void()> then, const std::string& does);
+
+  /// A command below this one; one of them has to be given.
+  CommandLine subcommand(const std::string& name, const std::string& does);
+
+  /// Whether the command was given, once the command line has been read.
+  bool parsed() const;
+
+ private:
+  CLI::App* app_;
+};
+
+}  // namespace furnas

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
+#include "cases/program/run/scenario.h"
+#include "engine/base/require.h"
+#include "engine/state/validate.h"
+#include "io/analysis_files.h"
+#include "io/atomic_file.h"
+#include "viz/analysis_charts.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string source;
+  std::string out;
+  std::optional<double> friction;
+  std::optional<int> backbone;
+  AnalysisOptions analysis;
+  bool no_pictures = false;
+};
+
+AnalysisOptions analysis_options(const Options& options, const PackingSource& source) {
+  AnalysisOptions analysis = options.analysis;
+  const auto about = case_about(source, options.source);
+  const double of_case = about ? about->contact.friction : 0;
+  analysis.friction = options.friction.value_or(of_case);
+  Case c;
+  c.contact.friction = analysis.friction;
+  analysis.backbone_threshold = options.backbone.value_or(backbone_threshold_of(c));
+  return analysis;
+}
+
+AnalysisRecord analyze_source(const Options& options) {
+  PackingSource source = packing_source(options.source);
+  validate(source.packing);
+  AnalysisRecord record;
+  record.source = options.source;
+  record.step = source.packing.step;
+  if (source.packing.contacts.empty()) {
+    source.packing = with_overlaps_as_contacts(source.packing);
+    record.contacts_are_overlaps = true;
+  }
+  AnalysisOptions analysis = analysis_options(options, source);
+  // Overlaps tell nothing of tangential forces.
+  if (record.contacts_are_overlaps) analysis.friction = 0;
+  record.analysis = analyze(source.packing, analysis);
+  if (fs::is_directory(options.source)) record.phi_J = read_phi_J(options.source);
+  return record;
+}
+
+/// Names of the files that were written.
+std::vector<std::string> write_files(const AnalysisRecord& record, const fs::path& folder, bool pictures) {
+  std::vector<std::string> written;
+  for (const AnalysisFile& file : analysis_files()) {
+    const std::string content = file.content(record);
+    if (content.empty()) continue;
+    write_file(folder / file.name, content);
+    written.emplace_back(file.name);
+  }
+  if (!pictures) return written;
+  for (const auto& [name, chart] : analysis_charts(record.analysis)) {
+    render_png(chart, folder / (name + ".png"));
+    render_svg(chart, folder / (name + ".svg"));
+    written.push_back(name + ".png");
+    written.push_back(name + ".svg");
+  }
+  return written;
+}
+
+std::string contacts_text(const Coordination& c) {
+  std::string text;
+  const auto add = [&](Species species, std::int64_t count, const char* name) {
+    if (count == 0) return;
+    text += fmt::format("{}a {} sphere touches {:.3f} large and {:.3f} small ones", text.empty() ? "" : "; ",
+                        name, c.of(species, Species::large), c.of(species, Species::small));
+  };
+  add(Species::large, c.large, "large");
+  add(Species::small, c.small, "small");
+  return text;
+}
+
+std::string network_text(const Analysis& a) {
+  const NetworkAnalysis& n = *a.network;
+  const Coordination &all = n.coordination, &backbone = n.backbone_coordination;
+  const ContactAnalysis& together = n.backbone.front();
+  std::string text =
+      fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
+                  all.mean(), backbone.mean(), backbone.particles(), backbone.all_contacts());
+  if (a.small > 0) text += fmt::format("contacts  {}\n", contacts_text(all));
+  if (a.small > 0 && backbone.particles() > 0)
+    text += fmt::format("          in the backbone: {}\n", contacts_text(backbone));
+  text +=
+      fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
+                  a.large - backbone.large, a.large, a.small - backbone.small, a.small, a.backbone_threshold);
+  text += fmt::format("forces    mean normal force of the backbone {:.4g}, largest {:.3g} times the mean\n",
+                      together.normal.mean,
+                      together.normal.mean > 0 ? together.normal.largest / together.normal.mean : 0);
+  if (together.mobilisation) {
+    text += fmt::format(
+        "sliding   {:.2f} % of the contacts of the backbone; mobilisation {:.3f} on average (friction {})\n",
+        100 * together.mobilisation->sliding_share(), together.mobilisation->mean, a.friction);
+    if (together.mobilisation->beyond > 0)
+      text += fmt::format(
+          "          {} contacts exceed this friction: it is not what the packing was made with\n",
+          together.mobilisation->beyond);
+  }
+  text += fmt::format(
+      "fabric    anisotropy {:.4f} in the backbone ({:.4f} by chance), {:.4f} of all contacts\n",
+      together.fabric.anisotropy(), together.fabric.anisotropy_by_chance(), n.fabric.front().anisotropy());
+  return text;
+}
+
+std::string summary(const AnalysisRecord& record) {
+  const Analysis& a = record.analysis;
+  std::string text = fmt::format("phi       {:.5f}{}; {} large, {} small\n", a.phi,
+                                 record.phi_J ? " (phi_J: jammed)" : "", a.large, a.small);
+  if (a.small > 0)
+    text += fmt::format("furnas    f_s {:.4f}, phi_L {:.5f}, phi_S {:.5f}\n", a.small_fraction, a.phi_large,
+                        a.phi_small);
+  if (record.contacts_are_overlaps)
+    text +=
+        a.network
+            ? "note      no contacts in the source: overlaps take their place, with F_n = k_n overlap and no "
+              "tangential forces\n"
+            : "note      no contacts in the source, and no two spheres overlap\n";
+  if (a.network) text += network_text(a);
+  for (const PairCorrelation& p : a.pairs) {
+    const auto highest = static_cast<std::size_t>(std::max_element(p.g.begin(), p.g.end()) - p.g.begin());
+    text += fmt::format("g(r)      {}: highest {:.2f} at {:.3f}, to {:.3f} in bins of {:.3g}\n",
+                        name_of(p.kind), p.g[highest], p.centre(highest), p.edges.back(), p.edges[1]);
+  }
+  return text;
+}
+
+}  // namespace
+
+Command analyze_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "analyze";
+  command.does = "measure a packing: contacts, rattlers, forces, fabric, g(r)";
+  command.example = "furnas analyze runs/first_packing --out analysis";
+  command.setup = [options](CommandLine& app) {
+    AnalysisOptions& analysis = options->analysis;
+    add_packing_source(app, options->source);
+    app.add("--out", options->out, "folder for the files; default: that of the packing");
+    app.add("--friction", options->friction,
+            "mu that tangential forces are measured against; default: the run's")
+        .between(0.0, 1e6);
+    app.add("--backbone", options->backbone,
+            "contacts below which a particle is a rattler; default: 4 without friction, 2 with")
+        .between(2, 4);
+    app.add("--force-bin", analysis.force_bins.width, "width of the bins for forces [mean force]")
+        .between(1e-3, 1e3)
+        .showing_default();
+    app.flag("--logarithmic", analysis.force_bins.logarithmic,
+             "bins for forces that grow, ten in a power of ten");
+    app.add("--reach", analysis.pair_correlation.reach,
+            "largest distance of g(r) [d_s]; default: half of the cell, 2.5 to 5 large diameters")
+        .above_zero();
+    app.add("--bin", analysis.pair_correlation.bin, "width of the bins of g(r) [d_s]")
+        .above_zero()
+        .showing_default();
+    app.flag("--no-pictures", options->no_pictures, "write the tables alone");
+  };
+  command.run = [options](Console console) {
+    const AnalysisRecord record = analyze_source(*options);
+    const fs::path folder = folder_about(options->source, options->out);
+    const std::vector<std::string> written = write_files(record, folder, !options->no_pictures);
+    console.out << summary(record)
+                << fmt::format("files     {}: {}\n", folder.string(), fmt::join(written, " "));
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "cases/program/bench/peers.h"
+#include "cases/program/bench/prepare.h"
+#include "cases/program/bench/roofline.h"
+#include "cases/program/bench/speed.h"
+#include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
+#include "cases/program/run/run_folder.h"
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of all subcommands, and which of them was asked for.
+struct Options {
+  std::optional<CommandLine> speed;
+  std::optional<CommandLine> error;
+  std::optional<CommandLine> peers;
+  std::optional<CommandLine> prepare;
+
+  PackingChoice packings;
+  std::vector<double> friction{0.3};
+  std::vector<int> threads;
+  std::vector<std::string> precision{"mixed"};
+  SpeedOrder measure;
+  double triad_megabytes = 0;
+  std::string csv;
+  PeersOrder match;
+  PrepareOrder making;
+};
+
+/// One thread and all of them.
+std::vector<int> usual_threads() {
+  const int all = available_threads();
+  return all > 1 ? std::vector{1, all} : std::vector{1};
+}
+
+void declare_speed(CommandLine& bench, Options& o) {
+  o.speed = bench.subcommand("speed", "million particle-steps per second, and the error of the forces");
+  o.threads = usual_threads();
+  add_packing_choice(*o.speed, o.packings);
+  o.speed->add("--friction", o.friction, "contact.friction").separated_by(',').showing_default();
+  o.speed->add("--law", o.measure.law, "contact.law").showing_default();
+  o.speed->add("--threads", o.threads, "numbers of threads")
+      .separated_by(',')
+      .between(1, 1024)
+      .showing_default();
+  o.speed->add("--precision", o.precision, "compute.precision").separated_by(',').showing_default();
+  o.speed->add("--seconds", o.measure.seconds, "length of a repeat with the first threads")
+      .above_zero()
+      .showing_default();
+  o.speed->add("--steps", o.measure.steps, "length of a repeat in steps, instead").above_zero();
+  o.speed->add("--repeats", o.measure.repeats, "repeats, in turn over threads and precisions")
+      .above_zero()
+      .showing_default();
+  o.speed
+      ->add("--triad", o.triad_megabytes,
+            "megabytes of each array of the bandwidth test; default: four times the last cache, 512 at most")
+      .above_zero();
+  o.speed->add("--csv", o.csv, "file for all of it");
+}
+
+void declare_error(CommandLine& bench, Options& o) {
+  o.error = bench.subcommand("error", "how far the forces are from those in long double");
+  add_packing_choice(*o.error, o.packings);
+  o.error->add("--friction", o.friction, "contact.friction").separated_by(',').showing_default();
+  o.error->add("--law", o.measure.law, "contact.law").showing_default();
+  o.error->add("--precision", o.precision, "compute.precision").separated_by(',').showing_default();
+  o.error->add("--csv", o.csv, "file for all of it");
+}
+
+void declare_peers(CommandLine& bench, Options& o) {
+  o.peers = bench.subcommand("peers", "the same packing through an installed LAMMPS, in turn");
+  o.match.ranks = available_threads();
+  add_packing_source(*o.peers, o.match.source);
+  o.peers->add("--steps", o.match.steps, "length of a run").above_zero().showing_default();
+  o.peers->add("--pairs", o.match.pairs, "runs of each program").above_zero().showing_default();
+  o.peers->add("--law", o.match.model.law, "law of furnas; LAMMPS has hooke_history").showing_default();
+  o.peers->add("--friction", o.match.model.friction, "contact.friction of both").showing_default();
+  o.peers->add("--precision", o.match.model.precision, "compute.precision of furnas").showing_default();
+  o.peers->add("--ranks", o.match.ranks, "ranks of LAMMPS and threads of furnas")
+      .between(1, 1024)
+      .showing_default();
+  o.peers->add("--skins", o.match.skins, "skins that LAMMPS tries [d_s]").separated_by(',').showing_default();
+  o.peers->add("--out", o.match.folder, "folder for LAMMPS's files, kept; default: a passing one");
+}
+
+void declare_prepare(CommandLine& bench, Options& o) {
+  o.prepare = bench.subcommand("prepare", "make the packings that speed and error measure with");
+  o.making.ratios = benchmark_ratios();
+  o.prepare->add("--out", o.making.folder, "folder for them").showing_default();
+  o.prepare->add("--ratios", o.making.ratios, "size ratios").separated_by(',').showing_default();
+  o.prepare
+      ->add("--sizes", o.making.sizes,
+            "numbers of particles to write repeated packings of; speed repeats by itself")
+      .separated_by(',');
+  o.prepare->add("--set", o.making.set, "change a key of the cases, e.g. compute.threads=2");
+  o.prepare->add("--walltime", o.making.walltime, "stop each case and save after e.g. 30m or 2h");
+}
+
+ExitCode speed(Options& o, Console console) {
+  std::map<int, double> bandwidth;
+  const std::size_t bytes =
+      o.triad_megabytes > 0 ? static_cast<std::size_t>(o.triad_megabytes * 1e6) : triad_size();
+  for (const int threads : o.threads) {
+    bandwidth[threads] = triad_bandwidth(threads, bytes);
+    console.out << fmt::format("triad {:.1f} GB/s with {} thread(s), arrays of {} MB\n",
+                               bandwidth[threads] / 1e9, threads, bytes / 1'000'000);
+  }
+  for (const std::string& precision : o.precision)
+    for (const int threads : o.threads) o.measure.variants.push_back({precision, threads});
+  std::vector<SpeedRow> rows;
+  std::vector<double> bounds;
+  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
+    for (const double friction : o.friction) {
+      o.measure.friction = friction;
+      for (SpeedRow& row : measure_speed(name, packing, o.measure)) {
+        console.err << fmt::format("{}, {} particles, {}, {} thread(s): {}\n", name, row.particles,
+                                   row.variant.precision, row.variant.threads, text_of(row.rate));
+        bounds.push_back(bandwidth[row.variant.threads]);
+        rows.push_back(std::move(row));
+      }
+    }
+  });
+  console.out << speed_table(rows, bounds).aligned() << '\n' << phase_lines(rows);
+  if (!o.csv.empty()) write_file(o.csv, speed_csv(rows, bounds).csv());
+  return ExitCode::done;
+}
+
+ExitCode error(Options& o, Console console) {
+  Table table({"packing", "N", "mu", "precision", "contacts", "median", "worst", "missed", "spurious"});
+  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
+    for (const double friction : o.friction)
+      for (const std::string& precision : o.precision) {
+        const ForceError e = force_error(model_for({o.measure.law, friction, precision}, packing), packing);
+        table.row({name, fmt::format("{}", packing.size()), fmt::format("{:g}", friction), precision,
+                   fmt::format("{}", e.contacts), fmt::format("{:.2e}", e.median),
+                   fmt::format("{:.2e}", e.largest), fmt::format("{}", e.missed),
+                   fmt::format("{}", e.spurious)});
+      }
+  });
+  console.out << table.aligned();
+  if (!o.csv.empty()) write_file(o.csv, table.csv());
+  return ExitCode::done;
+}
+
+ExitCode peers(Options& o, Console console) {
+  const bool passing = o.match.folder.empty();
+  if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
+  make_folder(o.match.folder);
+  const ExitCode code = compare_with_lammps(o.match, console);
+  if (passing) fs::remove_all(o.match.folder);  // what went wrong stays to be looked at
+  return code;
+}
+
+}  // namespace
+
+Command bench_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      .name = "bench",
+      .does = "measure speed beside error, and against LAMMPS",
+      .example = "furnas bench prepare --ratios 1,5 && furnas bench speed --ratios 1,5 --sizes 1e4",
+      .setup =
+          [options](CommandLine& app) {
+            declare_prepare(app, *options);
+            declare_speed(app, *options);
+            declare_error(app, *options);
+            declare_peers(app, *options);
+          },
+      .run =
+          [options](Console console) {
+            if (options->prepare->parsed()) return prepare_packings(options->making, console);
+            if (options->speed->parsed()) return speed(*options, console);
+            if (options->error->parsed()) return error(*options, console);
+            return peers(*options, console);
+          },
+  };
+}
+
+}  // namespace furnas

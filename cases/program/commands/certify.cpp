@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
+#include "cases/program/run/scenario.h"
+#include "engine/base/require.h"
+#include "io/certificate_file.h"
+
+namespace furnas {
+namespace {
+
+struct Options {
+  std::string source;
+  std::string out;
+  std::optional<double> force_imbalance;
+  std::optional<double> stress_error;
+  std::optional<double> cone_excess;
+  int eigenvalues = CertificateTerms{}.eigenvalues;
+};
+
+/// What the case promised; the limit of the force balance is at least the loose one.
+CertificateTerms terms_of(const PackingSource& source, const Options& options) {
+  const Case& c = *source.of_case;
+  CertificateTerms terms;
+  terms.springs.tangential = c.contact.tangential_stiffness;
+  terms.springs.friction = c.contact.friction;
+  terms.springs.arms_meet = c.contact.law != HookeHistory::name;
+  terms.freedom = model_of(c, source.packing).barostat.freedom;
+  terms.pressure =
+      c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1));
+  const RestCriteria rest = rest_criteria_of(c);
+  terms.tight_imbalance = rest.force_imbalance;
+  terms.imbalance = options.force_imbalance.value_or(std::max(rest.force_imbalance, rest.loose_imbalance));
+  terms.stress_error = options.stress_error.value_or(rest.stress_error);
+  terms.cone_excess = options.cone_excess.value_or(terms.cone_excess);
+  terms.eigenvalues = options.eigenvalues;
+  return terms;
+}
+
+/// The packing of a run; only a run tells what the packing should be.
+PackingSource run_source(const std::string& name) {
+  PackingSource source = packing_source(name);
+  if (!source.of_case)
+    throw InputError(name + ": no case in it; allowed: the folder of a run, or one of its checkpoints");
+  return source;
+}
+
+}  // namespace
+
+Command certify_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "certify";
+  command.does = "say whether a finished packing is jammed, from positions and histories alone";
+  command.example = "furnas certify runs/first_packing";
+  command.setup = [options](CommandLine& app) {
+    app.add("DIR or FILE", options->source, "folder of a run, or a checkpoint").required();
+    app.add("--out", options->out,
+            "folder for certificate.json and certificate.txt; default: that of the packing");
+    app.add("--force-imbalance", options->force_imbalance,
+            "largest mean |net force|/mean contact force; default: 1e-3, or more if the case asks for more")
+        .above_zero();
+    app.add("--stress-error", options->stress_error,
+            "largest deviation of a stress component/p_a; default: stop.stress_error of the case")
+        .above_zero();
+    app.add("--cone-excess", options->cone_excess, "largest (|F_t| - mu F_n)/(mu mean F_n); default: 0.01")
+        .above_zero();
+    app.add("--eigenvalues", options->eigenvalues, "eigenvalues to show").between(1, 100).showing_default();
+  };
+  command.run = [options](Console console) {
+    const PackingSource source = run_source(options->source);
+    const CertificateTerms terms = terms_of(source, *options);
+    const std::filesystem::path folder = folder_about(options->source, options->out);
+    const Certificate certificate = certify(source.packing, terms);
+    write_certificate(certificate, terms, options->source, folder);
+    console.out << certificate_text(certificate, terms, options->source);
+    return certificate.passed() ? ExitCode::done : ExitCode::not_certified;
+  };
+  return command;
+}
+
+}  // namespace furnas

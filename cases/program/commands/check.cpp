@@ -1,0 +1,42 @@
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/preflight.h"
+#include "cases/program/sweep/sweep.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+
+namespace furnas {
+
+Command check_command() {
+  struct Options {
+    std::string file;
+    std::vector<std::string> set;
+  };
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "check";
+  command.does = "say what a case would do, without running it";
+  command.example = "furnas check cases/paper.toml";
+  command.setup = [options](CommandLine& app) {
+    app.add("CASE", options->file, "case file").required();
+    app.add("--set", options->set, "change a key of the case, e.g. mixture.large=400");
+  };
+  command.run = [options](Console console) {
+    if (holds_sweep(options->file)) {
+      console.out << sweep_report(read_sweep(options->file, options->set));
+      return ExitCode::done;
+    }
+    const Case c = read_case(options->file, options->set);
+    validate(c);
+    const Preflight preflight = check_case(c);
+    console.out << preflight.report;
+    if (preflight.refusal.empty()) return ExitCode::done;
+    console.err << "furnas: refused: " << preflight.refusal << '\n';
+    return ExitCode::refused;
+  };
+  return command;
+}
+
+}  // namespace furnas

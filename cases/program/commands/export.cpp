@@ -1,0 +1,36 @@
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
+#include "io/formats.h"
+
+namespace furnas {
+
+Command export_command() {
+  struct Options {
+    std::string source;
+    std::string format;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "export";
+  command.does = "write a packing in another format";
+  command.example = "furnas export runs/first_packing lammps-data";
+  command.setup = [options](CommandLine& app) {
+    add_packing_source(app, options->source);
+    app.add("FORMAT", options->format, names_of_written_formats()).required();
+    app.add("--out", options->out, "file; default: packing with the format's extension");
+  };
+  command.run = [options](Console console) {
+    const std::string out =
+        options->out.empty() ? "packing" + std::string(extension_of(options->format)) : options->out;
+    write_packing(packing_from(options->source), options->format, out);
+    console.out << out << '\n';
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

@@ -1,0 +1,54 @@
+#include "cases/program/figures/figures.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/figures/report.h"
+#include "cases/program/run/run_folder.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+
+Command figures_command() {
+  struct Options {
+    std::vector<std::string> folders;
+    std::string out;
+    bool no_pictures = false;
+  };
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "figures";
+  command.does = "draw the paper's figures from sweeps, and report what agrees with it";
+  command.example = "furnas figures runs/mono runs/alpha_5 --out figures";
+  command.setup = [options](CommandLine& app) {
+    app.add("SWEEP", options->folders, "folders of sweeps").required();
+    app.add("--out", options->out, "folder for the files; default: figures in the first sweep's");
+    app.flag("--no-pictures", options->no_pictures, "write the tables and the report alone");
+  };
+  command.run = [options](Console console) {
+    namespace fs = std::filesystem;
+    const Study study = study_of({options->folders.begin(), options->folders.end()});
+    const fs::path folder =
+        options->out.empty() ? fs::path(options->folders.front()) / "figures" : fs::path(options->out);
+    const std::vector<Figure> figures = figures_of(study);
+    make_folder(folder);
+    for (const Figure& figure : figures) {
+      write_file(folder / (figure.name + ".csv"), csv(figure.chart));
+      if (options->no_pictures) continue;
+      render_png(figure.chart, folder / (figure.name + ".png"));
+      render_svg(figure.chart, folder / (figure.name + ".svg"));
+    }
+    write_file(folder / "report.md", report(study, figures));
+    if (study.history.empty())
+      console.err << "furnas: no figure_1b: no jammed sample has a history.csv in these folders\n";
+    console.out << fmt::format("{} figures and report.md in {}\n", figures.size(), folder.string());
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

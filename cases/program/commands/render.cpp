@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <boost/process/child.hpp>
+#include <boost/process/io.hpp>
+#include <boost/process/search_path.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
+#include "cases/program/replication.h"
+#include "cases/program/run/scenario.h"
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
+#include "io/frames_pvd.h"
+#include "viz/picture.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string source;
+  std::string out = "packing.png";
+  int size = 2000;
+  std::string style = "fig1a", colour = "species";
+  std::string slice, times = "1x1x1";
+  int turning = 0;
+  bool compaction = false;
+  PictureOptions picture;
+};
+
+const std::map<std::string, PictureStyle> styles{{"fig1a", PictureStyle::block},
+                                                 {"chains", PictureStyle::chains}};
+const std::map<std::string, Colouring> colourings{{"species", Colouring::species},
+                                                  {"coordination", Colouring::coordination},
+                                                  {"rattlers", Colouring::rattlers},
+                                                  {"pressure", Colouring::pressure}};
+
+template <class Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
+  std::vector<std::string> names;
+  names.reserve(table.size());
+  for (const auto& [name, value] : table) names.push_back(name);
+  return names;
+}
+
+/// z=0.4:0.6 -> the slab between these fractions of the third edge.
+Slice parse_slice(const std::string& text) {
+  Slice slice;
+  char axis = 0, end = 0;
+  if (std::sscanf(text.c_str(), "%c=%lf:%lf%c", &axis, &slice.from, &slice.upto, &end) != 3 || axis < 'x' ||
+      axis > 'z' || !(0 <= slice.from && slice.from < slice.upto && slice.upto <= 1))
+    throw InputError(
+        fmt::format("--slice {}: allowed: x, y or z, and two fractions of that edge, like z=0.4:0.6", text));
+  slice.axis = axis - 'x';
+  return slice;
+}
+
+PictureOptions picture_of(const Options& options, const PackingSource& source) {
+  PictureOptions picture = options.picture;
+  picture.width = picture.height = options.size;
+  picture.style = styles.at(options.style);
+  picture.colouring = colourings.at(options.colour);
+  const Times times = parse_times(options.times);
+  for (std::size_t k = 0; k < 3; ++k) picture.times[k] = static_cast<int>(times[k]);
+  if (picture.style == PictureStyle::chains && copies_of(times) > 1)
+    throw InputError("--times " + options.times + ": chains are drawn of one cell; allowed: 1x1x1");
+  if (!options.slice.empty()) picture.slice = parse_slice(options.slice);
+  if (const auto c = case_about(source, options.source))
+    picture.backbone_threshold = backbone_threshold_of(*c);
+  return picture;
+}
+
+/// The packing, with overlaps as contacts where the colours speak of contacts and the file has none.
+PackingSource drawn_source(const std::string& name, const Options& options) {
+  PackingSource source = packing_source(name);
+  if (source.packing.contacts.empty() && options.colour != "species")
+    source.packing = with_overlaps_as_contacts(source.packing);
+  return source;
+}
+
+/// packing.png -> packing_0007.png.
+fs::path numbered(const fs::path& out, int number) {
+  return out.parent_path() / fmt::format("{}_{:04}{}", out.stem().string(), number, out.extension().string());
+}
+
+/// Joins the numbered pictures into a film beside them where ffmpeg is installed; says what came of it.
+void film(const fs::path& out, Console console) {
+  namespace bp = boost::process;
+  const auto ffmpeg = bp::search_path("ffmpeg");
+  if (ffmpeg.empty()) {
+    console.out << "no film: ffmpeg is not installed; the numbered pictures are complete\n";
+    return;
+  }
+  const fs::path mp4 = fs::path(out).replace_extension(".mp4");
+  const std::string pictures =
+      (out.parent_path() / (out.stem().string() + "_%04d" + out.extension().string())).string();
+  bp::child run(ffmpeg, "-y", "-loglevel", "error", "-framerate", "24", "-i", pictures, "-vf",
+                "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", mp4.string(), bp::std_in < bp::null);
+  run.wait();
+  if (run.exit_code() != 0) throw OutputError("ffmpeg cannot make " + mp4.string());
+  console.out << mp4.string() << '\n';
+}
+
+/// The packing from all sides, once around.
+void render_turning(const Options& options, const PackingSource& source, Console console) {
+  PictureOptions picture = picture_of(options, source);
+  picture.room = room_of(source.packing, picture.times);
+  for (int n = 0; n < options.turning; ++n) {
+    picture.turn = options.picture.turn + 360.0 * n / options.turning;
+    const fs::path file = numbered(options.out, n);
+    render_png(source.packing, file, picture);
+    console.out << file.string() << std::endl;
+  }
+  film(options.out, console);
+}
+
+/// Every frame that the run has saved, all on one scale.
+void render_compaction(const Options& options, Console console) {
+  const fs::path folder = options.source;
+  if (!fs::exists(folder / "frames.pvd"))
+    throw InputError(options.source +
+                     ": no frames.pvd in it; a run with output.snapshot_every > 0 writes one");
+  PictureOptions picture;
+  int n = 0;
+  for (const SavedFrame& frame : read_frames(folder / "frames.pvd")) {
+    const PackingSource source = drawn_source((folder / frame.file).string(), options);
+    if (n == 0) {
+      picture = picture_of(options, source);
+      picture.room = room_of(source.packing, picture.times);
+    }
+    const fs::path file = numbered(options.out, n++);
+    render_png(source.packing, file, picture);
+    console.out << file.string() << std::endl;
+  }
+  film(options.out, console);
+}
+
+}  // namespace
+
+Command render_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "render";
+  command.does = "draw a packing, without a display";
+  command.example = "furnas render runs/first_packing --out chains.png --style chains";
+  command.setup = [options](CommandLine& app) {
+    PictureOptions& picture = options->picture;
+    add_packing_source(app, options->source);
+    app.add("--out", options->out, "PNG file").showing_default();
+    app.add("--style", options->style,
+            "fig1a: a solid block of spheres (default); chains: contacts as tubes, by their force")
+        .one_of(names_of(styles));
+    app.add("--colour", options->colour, "what the colour of a sphere says (default: species)")
+        .one_of(names_of(colourings));
+    app.add("--size", options->size, "edge of the picture in pixels").between(16, 16384).showing_default();
+    app.add("--times", options->times, "repeat the cell along its edges, e.g. 10x10x10").showing_default();
+    app.add("--slice", options->slice, "only the spheres with their centres in a slab, e.g. z=0.4:0.6");
+    app.add("--turn", picture.turn, "move the eye about the vertical [degrees]").showing_default();
+    const Argument turning = app.add("--turning", options->turning,
+                                     "so many numbered pictures once around, and a film if ffmpeg is there")
+                                 .between(2, 9999);
+    app.flag("--compaction", options->compaction,
+             "a numbered picture of each frame of a run (output.snapshot_every), and a film")
+        .excludes(turning);
+    app.flag("--transparent", picture.transparent, "no background instead of a white one");
+    app.flag(
+        "--no-cell", [&picture] { picture.cell = false; }, "leave out the edges of the periodic cell");
+  };
+  command.run = [options](Console console) {
+    if (options->compaction) {
+      render_compaction(*options, console);
+      return ExitCode::done;
+    }
+    const PackingSource source = drawn_source(options->source, *options);
+    if (options->turning > 0) {
+      render_turning(*options, source, console);
+      return ExitCode::done;
+    }
+    const PictureOptions picture = picture_of(*options, source);
+    render_png(source.packing, options->out, picture);
+    console.out << options->out << '\n' << key_of(source.packing, picture) << '\n';
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

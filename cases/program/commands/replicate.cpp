@@ -1,0 +1,47 @@
+#include <memory>
+#include <ostream>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/replication.h"
+#include "io/formats.h"
+
+namespace furnas {
+
+Command replicate_command() {
+  struct Options {
+    std::string source;
+    std::string out;
+    std::string times;
+    bool start = false;
+  };
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "replicate";
+  command.does = "repeat a packing along the edges of its cell";
+  command.example = "furnas replicate runs/first_packing large.checkpoint --times 2x2x2";
+  command.setup = [options](CommandLine& app) {
+    add_packing_source(app, options->source);
+    app.add("OUT", options->out,
+            "file to write, format by its extension: checkpoint, which keeps contacts and histories, " +
+                names_of_written_formats())
+        .required();
+    app.add("--times", options->times, "how often along each edge, e.g. 2x2x2").required();
+    app.flag("--start", options->start,
+             "leave contacts and forces out: a third of the memory, and a run that begins with it takes its "
+             "forces anew, without histories");
+  };
+  command.run = [options](Console console) {
+    const Times times = parse_times(options->times);
+    PackingSource source = packing_source(options->source);
+    if (options->start) {
+      source.packing.contacts.clear();
+      source.packing.order.clear();
+    }
+    write_replicate(source, times, options->out);
+    console.out << options->out << '\n';
+    return ExitCode::done;
+  };
+  return command;
+}
+
+}  // namespace furnas

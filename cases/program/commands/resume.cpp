@@ -1,0 +1,42 @@
+#include <memory>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/run/run_case.h"
+#include "cases/program/run/run_folder.h"
+
+namespace furnas {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string walltime;
+  std::optional<int> threads;
+  std::optional<std::int64_t> steps;
+};
+
+}  // namespace
+
+Command resume_command() {
+  auto options = std::make_shared<Options>();
+  Command command;
+  command.name = "resume";
+  command.does = "go on with a stopped run";
+  command.example = "furnas resume runs/first_packing --threads 2";
+  command.setup = [options](CommandLine& app) {
+    app.add("DIR", options->folder, "folder of the run").required();
+    app.add("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
+    app.add("--threads", options->threads, "compute.threads");
+    app.add("--steps", options->steps, "stop.steps, to give a spent budget more");
+  };
+  command.run = [options](Console console) {
+    std::vector<std::string> set;
+    if (options->threads) set.push_back("compute.threads=" + std::to_string(*options->threads));
+    if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
+    RunOrder order = order_to_resume(options->folder, set);
+    if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
+    return run_case(std::move(order), console);
+  };
+  return command;
+}
+
+}  // namespace furnas

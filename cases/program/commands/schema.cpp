@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "cases/program/commands/command.h"
+#include "io/case_schema.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+struct Options {
+  bool markdown = false;
+};
+
+std::string default_text(const Key& key) {
+  const std::string value = value_text(key, Case{});
+  return value.empty() ? fmt::format("left out; {} counts", key.rival) : value;
+}
+
+constexpr std::string_view sweep_doc =
+    R"([sweep] makes many cases of one, for `furnas sweep`: every combination of the values of its keys, each with
+several seeds. A key is any key of the tables above in quotes, with one value or a list; `samples` (an integer,
+default 1) says how many seeds, from mixture.seed on. Several grids are several [[sweep]].
+
+    [sweep]
+    "mixture.small_fraction" = [0.1, 0.2, 0.3]
+    "contact.friction" = [0.0, 0.3]
+    samples = 4
+)";
+
+void print_text(std::ostream& out) {
+  std::string_view table;
+  for (const Key& key : case_keys()) {
+    if (key.table != table) out << fmt::format("{}[{}]\n", table.empty() ? "" : "\n", key.table);
+    table = key.table;
+    out << fmt::format("  {} = {}\n", key.name, default_text(key));
+    out << fmt::format("      {}\n", key.doc);
+    out << fmt::format("      {}{}; allowed: {}\n", type_text(key),
+                       key.unit.empty() ? "" : fmt::format(" in {}", key.unit), allowed_text(key));
+  }
+}
+
+constexpr std::string_view introduction = R"(# The case file
+
+A case is a TOML file. Every key has a default, so an empty file is a case; every key is checked for its type
+and its range, and one that is not listed here is an error. Lengths are in d_s (diameter of a small sphere),
+masses in rho d_s^3, forces in k_n d_s; t_c is the collision time of two small spheres. A key is set from the
+command line with `--set table.key=value`.
+
+This page is written by `furnas schema --markdown`.
+)";
+
+void print_markdown(std::ostream& out) {
+  out << introduction;
+  std::string_view table;
+  for (const Key& key : case_keys()) {
+    if (key.table != table)
+      out << fmt::format(
+          "\n## [{}]\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n",
+          key.table);
+    table = key.table;
+    out << fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), key.unit,
+                       default_text(key), allowed_text(key), key.doc);
+  }
+  out << "\n## [sweep]\n\n" << sweep_doc;
+}
+
+}  // namespace
+
+Command schema_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      .name = "schema",
+      .does = "list every key of the case file with type, unit, default and range",
+      .example = "furnas schema --markdown > docs/case-file.md",
+      .setup =
+          [options](CommandLine& app) {
+            app.flag("--markdown", options->markdown, "as the page docs/case-file.md");
+          },
+      .run =
+          [options](Console console) {
+            options->markdown ? print_markdown(console.out) : print_text(console.out);
+            return ExitCode::done;
+          },
+  };
+}
+
+}  // namespace furnas

@@ -1,0 +1,96 @@
+#include "cases/program/figures/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace furnas {
+namespace {
+
+const char* text_of(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::reproduced:
+      return "reproduced";
+    case Agreement::not_reproduced:
+      return "not reproduced";
+    case Agreement::not_reachable:
+      break;
+  }
+  return "not reachable here";
+}
+
+std::string statements_table(const Study& study) {
+  std::string text =
+      "| statement | paper | here (95 % intervals) | n | verdict | counts as reproduced when |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const Statement& s : statements_of(study))
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", s.what, s.paper, s.ours, s.n,
+                        text_of(s.agreement), s.rule);
+  return text;
+}
+
+std::string mono_table(const Study& study) {
+  std::string text = "| μ | φ_mono | ± | n | model f_max | model φ_max |\n|---|---|---|---|---|---|\n";
+  for (const Point& p : study.mono) {
+    const FurnasInterval model = *study.model(p.friction);
+    const Interval f = model.f_max(), phi = model.phi_max();
+    text += fmt::format("| {} | {:.4f} | {} | {} | {:.4f} ({:.4f} to {:.4f}) | {:.4f} ({:.4f} to {:.4f}) |\n",
+                        p.friction, p.mean_phi_J->mean,
+                        p.mean_phi_J->samples > 1 ? fmt::format("{:.4f}", p.mean_phi_J->half_width) : "-",
+                        p.mean_phi_J->samples, f.value, f.low, f.high, phi.value, phi.low, phi.high);
+  }
+  return text;
+}
+
+std::string maxima_table(const Study& study) {
+  std::string text = "| α | μ | f_max | φ_max | ± | n |\n|---|---|---|---|---|---|\n";
+  for (const Curve& curve : study.curves)
+    if (const auto m = maximum_of(curve))
+      text += fmt::format("| {} | {} | {:.3f} ({:.3f} to {:.3f}) | {:.4f} | {} | {} |\n", curve.size_ratio(),
+                          curve.friction(), m->f_max, m->f_max_low, m->f_max_high, m->phi_max.mean,
+                          m->phi_max.samples > 1 ? fmt::format("{:.4f}", m->phi_max.half_width) : "-",
+                          m->phi_max.samples);
+  return text;
+}
+
+std::string points_table(const Study& study) {
+  std::string text =
+      "| α | μ | f_s | N_l | N_s | jammed | budget | diverged, failed | unfinished | φ_J | ± | effective "
+      "size |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const Point& p : study.points) {
+    if (p.unfinished == p.samples) continue;  // nothing is known of it
+    const auto& phi = p.mean_phi_J;
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
+                    p.friction, p.small_fraction, p.large, p.small, p.jammed, p.samples, p.budget,
+                    p.diverged + p.failed, p.unfinished, phi ? fmt::format("{:.4f}", phi->mean) : "-",
+                    phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-", p.effective_size);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report(const Study& study, const std::vector<Figure>& figures) {
+  std::string text = R"(# The study beside the paper
+
+Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
+Written by `furnas figures`. Means are those of jammed samples alone; intervals are Student's t, 95 %. n: samples.
+*Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
+
+)";
+  text += statements_table(study);
+  if (!study.mono.empty()) text += "\n## Equal spheres, and the model that follows\n\n" + mono_table(study);
+  if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
+  text +=
+      "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed samples together. "
+      "Where the small spheres rattle only the large ones count. Points of which no sample is finished are "
+      "left out.\n\n";
+  text += points_table(study);
+  text += "\n## Figures\n";
+  for (const Figure& f : figures) text += fmt::format("\n![{}]({}.svg)\n\n{}\n", f.name, f.name, f.caption);
+  return text;
+}
+
+}  // namespace furnas

@@ -1,0 +1,63 @@
+#include "cases/program/packing_source.h"
+
+#include "cases/program/run/recording.h"
+#include "cases/program/run/run_folder.h"
+#include "engine/base/require.h"
+#include "engine/simulation.h"
+#include "io/case_file.h"
+#include "io/formats.h"
+
+namespace furnas {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+PackingSource source_from(Checkpoint checkpoint, const std::string& name) {
+  PackingSource source{std::move(checkpoint.packing), {}, resting_states_of(checkpoint)};
+  if (!checkpoint.case_text.empty())
+    source.of_case = parse_case(checkpoint.case_text, name + " (checkpoint)");
+  return source;
+}
+
+}  // namespace
+
+PackingSource packing_source(const std::string& name) {
+  if (fs::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
+  if (is_checkpoint(name)) return source_from(read_checkpoint(name), name);
+  return {read_packing(name), {}, {}};
+}
+
+void add_packing_source(CommandLine& app, std::string& name) {
+  app.add("DIR or FILE", name, "folder of a run, or a packing in any format").required();
+}
+
+fs::path folder_about(const std::string& folder_or_file, const std::string& wanted) {
+  const fs::path source = folder_or_file;
+  const fs::path own = fs::is_directory(source) ? source : source.parent_path();
+  fs::path folder = !wanted.empty() ? fs::path(wanted) : own.empty() ? fs::path(".") : own;
+  make_folder(folder);
+  return folder;
+}
+
+std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file) {
+  if (source.of_case) return source.of_case;
+  const fs::path folder = fs::absolute(folder_or_file).parent_path();
+  for (const fs::path& of_run : {fs::path(folder_or_file), folder, folder.parent_path()})
+    if (fs::exists(of_run / "case.resolved.toml")) return read_case(of_run / "case.resolved.toml");
+  return {};
+}
+
+Packing packing_from(const std::string& name) { return packing_source(name).packing; }
+
+Packing with_overlaps_as_contacts(const Packing& packing) {
+  Packing resting = packing;
+  resting.cell.rate = {};
+  resting.order.clear();  // so that the forces are taken from the positions
+  Model model;
+  model.law = Frictionless<false>{{.normal_damping = 0}};
+  model.barostat.freedom = CellFreedom::fixed;
+  return make_simulation(model, resting)->packing();
+}
+
+}  // namespace furnas

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/program/command_line.h"
+#include "engine/events/at_rest.h"
+#include "engine/state/packing.h"
+#include "io/case.h"
+
+namespace furnas {
+
+/// A packing and, where it comes from a run, the run's case and how far the run has come.
+struct PackingSource {
+  Packing packing;
+  std::optional<Case> of_case;
+  std::vector<RestingState> reached;  ///< the pressures at which the run had come to rest
+};
+
+/// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
+PackingSource packing_source(const std::string& folder_or_file);
+
+/// The case of a source; of a file without one that of the run in whose folder, or in a folder of which, it
+/// lies.
+std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file);
+
+/// Declares the argument that names such a source, into `name`.
+void add_packing_source(CommandLine& app, std::string& name);
+
+/// Where files about a packing go: the folder `wanted`, made if it is missing, else that of the run, else
+/// that in which the packing's file lies. Throws InputError, also when a file stands in its place.
+std::filesystem::path folder_about(const std::string& folder_or_file, const std::string& wanted);
+
+/// The packing alone.
+Packing packing_from(const std::string& folder_or_file);
+
+/// The packing with its overlaps as contacts: each pushes with k_n overlap, and there is no friction.
+Packing with_overlaps_as_contacts(const Packing& packing);
+
+}  // namespace furnas

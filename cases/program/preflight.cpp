@@ -1,0 +1,177 @@
+#include "cases/program/preflight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/program/run/progress.h"
+#include "cases/program/run/scenario.h"
+#include "engine/base/sphere.h"
+#include "engine/simulation.h"
+#include "io/case_check.h"
+
+namespace furnas {
+namespace {
+
+double mass_of(double diameter) { return sphere_mass(0.5 * diameter); }
+
+/// Largest and smallest diameter and the number of particles.
+struct Census {
+  double large{}, small{};  ///< diameters [d_s]
+  double larges{}, smalls{};
+  double volume{};  ///< of the spheres [d_s^3]
+  double particles() const { return larges + smalls; }
+};
+
+Census census_of(const Case& c) {
+  Census n;
+  if (c.start.file.empty()) {
+    n.large = c.mixture.size_ratio;
+    n.larges = static_cast<double>(c.mixture.large);
+    n.smalls = small_spheres(c.mixture);
+    n.small = n.smalls > 0 ? 1.0 : n.large;
+    n.volume = n.larges * mass_of(n.large) + n.smalls * mass_of(1);
+    return n;
+  }
+  const Packing packing = start_of(c);
+  n.large = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
+  n.small = 2 * *std::min_element(packing.radius.begin(), packing.radius.end());
+  for (Species s : packing.species) ++(s == Species::large ? n.larges : n.smalls);
+  n.volume = packing.sphere_volume();
+  return n;
+}
+
+/// The largest whole number below `tried` that fits; 0 if none does.
+template <class Fits>
+std::int64_t largest_below(std::int64_t tried, Fits&& fits) {
+  std::int64_t low = 0;
+  for (std::int64_t high = tried; high - low > 1;) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// What would fit instead.
+std::string smaller(double particles, const MemoryLimit& limit, const Case& c) {
+  Case changed = c;
+  changed.output.picture = "none";
+  if (expected_memory(particles, changed) <= limit.bytes) {
+    changed.output.picture = c.output.picture;
+    const std::int64_t size = largest_below(c.output.picture_size, [&](std::int64_t edge) {
+      changed.output.picture_size = edge;
+      return expected_memory(particles, changed) <= limit.bytes;
+    });
+    return size > 0 ? fmt::format("a smaller picture (output.picture_size = {})", size)
+                    : "no picture (output.picture = \"none\")";
+  }
+  if (!c.start.file.empty()) return "a smaller start.file";
+  const std::int64_t large = largest_below(c.mixture.large, [&](std::int64_t some) {
+    const double share = static_cast<double>(some) / static_cast<double>(c.mixture.large);
+    return expected_memory(share * particles, c) <= limit.bytes;
+  });
+  return large > 0 ? fmt::format("fewer particles (mixture.large = {})", large) : "a larger machine";
+}
+
+std::string refusal_of_memory(double particles, const MemoryLimit& limit, const Case& c) {
+  const double needed = expected_memory(particles, c);
+  if (needed <= limit.bytes) return {};
+  return fmt::format("the run needs about {:.1f} GB and {} {:.1f} GB; take {}", needed / 1e9, limit.source,
+                     limit.bytes / 1e9, smaller(particles, limit, c));
+}
+
+/// A run that cannot come to rest, or not within a lifetime.
+std::string refusal_of_time(double seconds_a_step, const Case& c) {
+  if (c.compaction.cell == "fixed") return {};  // ends with its steps and is meant to
+  if (c.contact.normal_damping == 0 && c.contact.friction == 0 && c.compaction.drag == 0)
+    return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and compaction.drag = "
+           "0, so "
+           "that the packing never comes to rest; give one of them a value, or take compaction.cell = "
+           "\"fixed\"";
+  constexpr double longest = 30 * 365.25 * 86400;  // [s]
+  const double shortest = seconds_a_step * static_cast<double>(std::min(c.stop.window, c.stop.steps));
+  if (shortest > longest)
+    return fmt::format(
+        "one window of stop.window = {} steps takes about {:.0f} years; take a shorter window or "
+        "fewer particles",
+        c.stop.window, shortest / (365.25 * 86400));
+  return {};
+}
+
+std::string pair_line(const char* name, double a, double b, const Case& c) {
+  const double e = restitution(a, b, c.contact.normal_damping);
+  return fmt::format("  {:<12} restitution {}\n", name, e > 0 ? fmt::format("{:.4f}", e) : "0 (overdamped)");
+}
+
+std::string pairs_report(const Census& n, const Case& c) {
+  std::string text = "pairs\n";
+  if (n.smalls > 0) text += pair_line("small-small", n.small, n.small, c);
+  if (n.smalls > 0 && n.larges > 0 && n.large > n.small)
+    text += pair_line("small-large", n.small, n.large, c);
+  if (n.larges > 0) text += pair_line("large-large", n.large, n.large, c);
+  return text;
+}
+
+}  // namespace
+
+double restitution(double a, double b, double damping) {
+  const double square = 1 / reduced_mass(mass_of(a), mass_of(b)) - damping * damping / 4;
+  if (square <= 0) return 0;
+  return std::exp(-0.5 * damping * std::numbers::pi / std::sqrt(square));
+}
+
+double expected_memory(double particles, const Case& c) {
+  // Measured peaks, docs/performance.md: that of a look at the running packing, that of the picture after it.
+  constexpr double program = 36e6, renderer = 126e6, pixel = 89, drawn_particle = 420;
+  // Contacts a particle, of equal spheres at rest; within 0.1 of those of docs/verification.md.
+  const double contacts = 1.95 + 1.05 * std::exp(-c.contact.friction / 0.15);
+  const double particle = (c.compute.precision == "double" ? 632 : 412) + 160 * contacts;
+  const double running = program + particles * particle;
+  if (c.output.picture == "none") return running;
+  const double edge = c.output.picture_size;
+  return std::max(running, renderer + pixel * edge * edge + particles * drawn_particle);
+}
+
+Preflight check_case(const Case& c, const MemoryLimit& limit) {
+  const Census n = census_of(c);
+  Preflight out;
+  out.report +=
+      fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
+                  n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
+  const double dt = time_step(c).value_or(0);
+  // With friction the tangential mode of the lightest pair is the stiffest: w^2 = 3.5 k_t/m_eff.
+  const double stiffness = c.contact.friction > 0 ? std::max(1.0, 3.5 * c.contact.tangential_stiffness) : 1.0;
+  const double stiffest = std::sqrt(stiffness / reduced_mass(mass_of(n.small), mass_of(n.small)));
+  out.report += fmt::format("time step {:.6g}, {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n",
+                            dt, dt * stiffest);
+  out.report += pairs_report(n, c);
+
+  const double dense = 0.64;
+  const double edge = std::cbrt(n.volume / dense);
+  const double diameters = edge / n.large;
+  out.report += fmt::format(
+      "cell      about {:.1f} largest diameters wide when dense{}{}\n", diameters,
+      remark_on_thickness(diameters),
+      diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
+  out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
+  const int threads =
+      c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));
+  const double rate = pace_of_a_core * threads;
+  const auto seconds = [&](double steps) { return steps * n.particles() / rate; };
+  out.report += fmt::format(
+      "time      about {} for 2e5 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
+      duration_text(seconds(2e5)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
+      threads, threads == 1 ? "" : "s");
+
+  const auto windows = static_cast<double>(c.compaction.pressure.size());
+  if (c.compaction.cell != "fixed" &&
+      windows * static_cast<double>(c.stop.window) > static_cast<double>(c.stop.steps))
+    out.report += fmt::format("verdict   none: {} window{} of {} steps do not fit into the cap of {} steps\n",
+                              windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
+  out.refusal = refusal_of_memory(n.particles(), limit, c);
+  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c);
+  return out;
+}
+
+}  // namespace furnas

@@ -1,0 +1,130 @@
+#include "cases/program/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <ostream>
+
+#include "cases/program/build_info.h"
+#include "cases/program/run/folder_lock.h"
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+/// Messages of a library may span lines; a shell user gets one.
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+ExitCode complain(Console console, ExitCode code, const std::string& what) {
+  console.err << "furnas: " << one_line(what) << '\n';
+  return code;
+}
+
+/// Help and version are no mistakes; a wrong option or argument is one, of the user's.
+ExitCode answer(const CLI::App& app, const CLI::ParseError& error, Console console) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    app.exit(error, console.out, console.err);
+    return ExitCode::done;
+  }
+  std::string asked = "furnas";
+  for (const CLI::App* command : app.get_subcommands()) asked += " " + command->get_name();
+  return complain(console, ExitCode::bad_case,
+                  fmt::format("{}; see {} --help", one_line(error.what()), asked));
+}
+
+/// CLI11 would only say that some command is missing.
+std::optional<std::string> unknown_command(std::span<const Command> commands,
+                                           const std::vector<std::string>& arguments) {
+  std::string known;
+  for (const Command& command : commands) {
+    if (!arguments.empty() && command.name == arguments.front()) return {};
+    known += (known.empty() ? "" : ", ") + command.name;
+  }
+  if (arguments.empty()) return fmt::format("a command is missing; allowed: {}; see furnas --help", known);
+  if (arguments.front().starts_with('-')) return {};
+  return fmt::format("{} is no command; allowed: {}; see furnas --help", arguments.front(), known);
+}
+
+/// What the exit codes mean, for the help.
+constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0    done; of run and resume: jammed\n"
+    "  1    an error of the program\n"
+    "  2    the case, an option or a path cannot be used\n"
+    "  3    refused, because the case would fail\n"
+    "  4    a part of the certificate failed\n"
+    "  5    steps or wall time are spent; resume goes on\n"
+    "  6    the packing diverged; the last good state is saved\n"
+    "  7    a file cannot be written; the last checkpoint is good\n"
+    "  8    another run works in the folder\n"
+    "  9    out of memory; the last checkpoint is good\n"
+    "  130  stopped by a signal, and saved; resume goes on\n";
+
+/// Whether all that was printed has arrived, on a disk that may be full.
+ExitCode printed(ExitCode code, Console console) {
+  if (console.out.flush() || code != ExitCode::done) return code;
+  return complain(console, ExitCode::output_failed, "cannot write to the standard output");
+}
+
+ExitCode run_guarded(const Command& command, Console console) {
+  try {
+    return printed(command.run(console), console);
+  } catch (const InputError& error) {
+    return complain(console, ExitCode::bad_case, error.what());
+  } catch (const NumericalFailure& error) {
+    return complain(console, ExitCode::numerical_failure, error.what());
+  } catch (const OutputError& error) {
+    return complain(console, ExitCode::output_failed, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (error.code() == std::errc::not_enough_memory)
+      return complain(console, ExitCode::out_of_memory, "out of memory");
+    return complain(console, ExitCode::output_failed, error.what());
+  } catch (const FolderInUse& error) {
+    return complain(console, ExitCode::folder_in_use, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(console, ExitCode::out_of_memory, "out of memory");
+  } catch (const std::exception& error) {
+    return complain(console, ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+ExitCode run_program(std::span<const Command> commands, std::vector<std::string> arguments, Console console) {
+  if (const auto unknown = unknown_command(commands, arguments))
+    return complain(console, ExitCode::bad_case, *unknown);
+  CLI::App app{"Jammed packings of bidisperse frictional spheres.", "furnas"};
+  app.set_version_flag("--version", fmt::format("furnas {}", build_info().version));
+  app.require_subcommand(1);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.footer(fmt::format("furnas COMMAND --help tells more about a command.\n\n{}", exit_codes));
+
+  const Command* chosen = nullptr;
+  for (const Command& command : commands) {
+    CLI::App* app_of_command = app.add_subcommand(command.name, command.does);
+    app_of_command->group("Commands");
+    app_of_command->footer(fmt::format("Example:\n  {}", command.example));
+    CommandLine line(*app_of_command);
+    command.setup(line);
+    app_of_command->callback([&chosen, &command] { chosen = &command; });
+  }
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error, console);
+  }
+  return run_guarded(*chosen, console);
+}
+
+}  // namespace furnas

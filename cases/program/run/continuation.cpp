@@ -1,0 +1,168 @@
+#include "cases/program/run/continuation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+
+#include "cases/program/build_info.h"
+#include "engine/base/require.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+#include "io/case_schema.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+constexpr const char* version_key = "version of furnas";
+constexpr const char* resting_states_key = "resting states: pressure phi step";
+constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
+constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
+constexpr const char* counts_key = "counts: replaced lists_built wall_seconds jammed";
+constexpr std::string_view event_key = "event: ";
+
+std::string rows_of(const std::vector<RestingState>& reached) {
+  std::string rows;
+  for (const RestingState& s : reached) rows += fmt::format("{} {} {}\n", s.pressure, s.phi, s.step);
+  return rows;
+}
+
+std::string rows_of(const std::deque<RestWatch::Look>& window) {
+  std::string rows;
+  for (const auto& [step, h, holds, loosely] : window)
+    rows += fmt::format("{} {} {} {} {} {} {} {:d} {:d}\n", step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, holds,
+                        loosely);
+  return rows;
+}
+
+/// The numbers under a key, one after the other. Unlike a stream it knows infinity and NaN.
+class Numbers {
+ public:
+  Numbers(const Checkpoint& checkpoint, const char* key) : key_(key) {
+    const auto found = checkpoint.extras.find(key);
+    if (found == checkpoint.extras.end()) fail();
+    text_ << found->second;
+  }
+  /// Whether there is another one.
+  bool more() { return static_cast<bool>(text_ >> word_); }
+
+  /// Takes these, and there must be no others.
+  template <class... Values>
+  void all(Values&... values) {
+    (one(values), ...);
+    if (more()) fail();
+  }
+  /// Takes these, of which more() has seen the first.
+  template <class First, class... Values>
+  void row(First& first, Values&... values) {
+    parse(first);
+    (one(values), ...);
+  }
+
+ private:
+  template <class T>
+  void one(T& value) {
+    if (!more()) fail();
+    parse(value);
+  }
+  template <class T>
+  void parse(T& value) {
+    const char* const end = word_.data() + word_.size();
+    const auto [rest, error] = std::from_chars(word_.data(), end, value);
+    if (error != std::errc{} || rest != end) fail();
+  }
+  void parse(bool& value) {
+    int number = 0;
+    parse(number);
+    if (number != 0 && number != 1) fail();
+    value = number == 1;
+  }
+  [[noreturn]] void fail() const {
+    throw InputError(std::string("the checkpoint does not hold what a run goes on with: ") + key_);
+  }
+
+  const char* key_;
+  std::stringstream text_;
+  std::string word_;
+};
+
+void refuse_another_version(const Checkpoint& checkpoint) {
+  const auto found = checkpoint.extras.find(version_key);
+  const std::string wrote = found == checkpoint.extras.end() ? "an older version" : found->second;
+  if (wrote != build_info().version)
+    throw InputError(
+        fmt::format("the checkpoint was written by furnas {} and this is {}, which might go on to "
+                    "other bits; go on with that one, or begin a run with start.file",
+                    wrote, build_info().version));
+}
+
+void refuse_another_case(const Case& saved, const Case& asked, const std::string& file) {
+  for (const Key& key : case_keys()) {
+    const std::string was = value_text(key, saved), now = value_text(key, asked);
+    if (was == now || changes_no_bit(key)) continue;
+    throw InputError(
+        fmt::format("{}: {} = {}, but the checkpoint was saved with {}; a run goes on as it began; for "
+                    "another case begin a new run, with start.file if it is to start from here",
+                    file, key.path(), now.empty() ? "nothing" : now, was.empty() ? "nothing" : was));
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> to_extras(const Continuation& c) {
+  std::map<std::string, std::string> extras{
+      {version_key, std::string(build_info().version)},
+      {resting_states_key, rows_of(c.reached)},
+      {window_key, rows_of(c.watch.window)},
+      {look_key, fmt::format("{} {} {} {}", c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance,
+                             c.watch.kinetic_energy)},
+      {counts_key, fmt::format("{} {} {} {:d}", c.replaced, c.lists_built, c.wall_seconds, c.jammed)}};
+  for (const auto& [name, saved] : c.events) extras[std::string(event_key) + name] = saved;
+  return extras;
+}
+
+std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
+  std::vector<RestingState> reached;
+  if (!checkpoint.extras.contains(resting_states_key)) return reached;  // a packing, but no run
+  Numbers rows(checkpoint, resting_states_key);
+  for (RestingState s; rows.more(); reached.push_back(s)) rows.row(s.pressure, s.phi, s.step);
+  return reached;
+}
+
+Continuation continuation_of(const Checkpoint& checkpoint) {
+  refuse_another_version(checkpoint);
+  Continuation c;
+  c.reached = resting_states_of(checkpoint);
+  Numbers looks(checkpoint, window_key);
+  RestWatch::Look look;
+  Triangle& h = look.edges;
+  for (; looks.more(); c.watch.window.push_back(look))
+    looks.row(look.step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, look.holds, look.holds_loosely);
+  Numbers(checkpoint, look_key)
+      .all(c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance, c.watch.kinetic_energy);
+  Numbers(checkpoint, counts_key).all(c.replaced, c.lists_built, c.wall_seconds, c.jammed);
+  for (const auto& [key, saved] : checkpoint.extras)
+    if (key.starts_with(event_key)) c.events[key.substr(event_key.size())] = saved;
+  return c;
+}
+
+Case case_to_go_on_with(const std::filesystem::path& folder, const Checkpoint& checkpoint,
+                        std::span<const std::string> set) {
+  const Case saved = parse_case(checkpoint.case_text, folder.string() + " (checkpoint)");
+  Case c = saved;
+  if (const auto file = folder / "case.resolved.toml"; std::filesystem::exists(file)) {
+    std::ifstream in(file, std::ios::binary);
+    c = parse_case(std::string(std::istreambuf_iterator<char>(in), {}), file.string());
+    refuse_another_case(saved, c, file.string());
+  }
+  for (const std::string& assignment : set) apply_override(c, assignment);
+  validate(c);
+  return c;
+}
+
+}  // namespace furnas

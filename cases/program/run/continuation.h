@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/events/at_rest.h"
+#include "io/case.h"
+#include "io/checkpoint.h"
+
+namespace furnas {
+
+/// What a stopped run hands to the process that goes on with it, besides its packing and its case.
+struct Continuation {
+  std::vector<RestingState> reached;          ///< pressures at which it had come to rest
+  RestWatch::Saved watch;                     ///< the window of the verdict
+  std::map<std::string, std::string> events;  ///< what each event remembers, by the name of the event
+  std::int64_t replaced{};                    ///< times an event had changed the packing
+  std::int64_t lists_built{};                 ///< neighbour lists
+  double wall_seconds{};                      ///< of all its processes
+  bool jammed{};                              ///< the verdict is found; nothing is left but to tell it
+};
+
+/// The continuation as it stands in a checkpoint, with the version of the program that wrote it.
+std::map<std::string, std::string> to_extras(const Continuation& continuation);
+
+/// The continuation that a checkpoint holds. Throws InputError if it is damaged, or if another version of the
+/// program has written it, which might go on to other bits.
+Continuation continuation_of(const Checkpoint& checkpoint);
+
+/// The case of a stopped run, with the assignments of `set` in its place. The case file in the folder may ask
+/// for other steps, threads, or whatever else changes no bit; throws InputError that names what differs if it
+/// asks for another case.
+Case case_to_go_on_with(const std::filesystem::path& folder, const Checkpoint& checkpoint,
+                        std::span<const std::string> set);
+
+/// The pressures at which a checkpointed run had come to rest.
+std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint);
+
+}  // namespace furnas

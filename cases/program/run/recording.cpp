@@ -1,0 +1,155 @@
+#include "cases/program/run/recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "engine/base/require.h"
+#include "engine/monitor/faults.h"
+#include "io/atomic_file.h"
+#include "io/vtk_xml.h"
+
+namespace furnas {
+namespace {
+
+constexpr const char* checkpoint_names[] = {"a.checkpoint", "b.checkpoint"};
+
+FileMark mark_of(const std::string& text) {
+  Hasher hasher;
+  hasher.add_bytes(text.data(), text.size());
+  return {text.size(), hasher.value()};
+}
+
+std::chrono::duration<double> since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::steady_clock::now() - begin;
+}
+
+}  // namespace
+
+void RecordHistory::restore(const std::string& saved) {
+  saved.empty() ? history_.emplace(path_) : history_.emplace(path_, parse_mark(saved));
+}
+
+std::optional<Verdict> RecordHistory::fire(Observation& now) {
+  history_->add(now.measures());
+  return {};
+}
+
+std::string RecordFrame::saved() {
+  return frames_.empty() ? std::string() : to_text(mark_of(frames_text(frames_)));
+}
+
+void RecordFrame::restore(const std::string& saved) {
+  const auto collection = folder_ / "frames.pvd";
+  frames_.clear();
+  if (saved.empty()) {
+    std::filesystem::remove(collection);
+  } else {
+    const FileMark mark = parse_mark(saved);
+    frames_ = read_frames(collection);
+    while (frames_text(frames_).size() > mark.bytes && !frames_.empty()) frames_.pop_back();
+    const std::string text = frames_text(frames_);
+    if (mark_of(text) != mark)
+      throw InputError(
+          collection.string() +
+          ": does not have the frames that the run had written when it was saved; put them back");
+    write_file(collection, text);
+  }
+  remove_later_frames();
+}
+
+/// Frames after the checkpoint are taken again; those that are not must not stay.
+void RecordFrame::remove_later_frames() const {
+  for (std::size_t k = frames_.size(); std::filesystem::remove(folder_ / frame_file(k));) ++k;
+}
+
+/// Not with all folders above it: if the folder of the run is gone, it must not come back empty.
+void RecordFrame::make_frames_folder() const {
+  const auto frames = (folder_ / frame_file(0)).parent_path();
+  std::error_code error;
+  std::filesystem::create_directory(frames, error);
+  if (error) throw OutputError("cannot make the folder " + frames.string() + ": " + error.message());
+}
+
+std::optional<Verdict> RecordFrame::fire(Observation& now) {
+  const std::string file = frame_file(frames_.size());
+  make_frames_folder();
+  write_vtp(now.packing(), folder_ / file);
+  frames_.push_back({now.packing().time, file});
+  write_file(folder_ / "frames.pvd", frames_text(frames_));
+  return {};
+}
+
+Checkpoints::Checkpoints(std::filesystem::path folder, const std::string& file, double seconds)
+    : folder_(std::move(folder)), second_(file == checkpoint_names[0]), longest_(seconds) {}
+
+void Checkpoints::write(const CheckpointView& checkpoint) {
+  const auto begin = std::chrono::steady_clock::now();
+  write_checkpoint(checkpoint, folder_ / checkpoint_names[second_]);
+  second_ = !second_;
+  longest_ = std::max(longest_, since(begin));
+}
+
+bool Checkpoints::none(const std::filesystem::path& folder) {
+  return std::none_of(std::begin(checkpoint_names), std::end(checkpoint_names),
+                      [&](const char* name) { return std::filesystem::exists(folder / name); });
+}
+
+Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder) {
+  const auto begin = std::chrono::steady_clock::now();
+  Found newest;
+  const auto note = [&](const InputError& error) {
+    newest.fault += (newest.fault.empty() ? "" : "; ") + std::string(error.what());
+  };
+  std::vector<std::pair<std::int64_t, const char*>> files;
+  for (const char* name : checkpoint_names) {
+    if (!std::filesystem::exists(folder / name)) continue;
+    try {
+      files.emplace_back(checkpoint_step(folder / name), name);
+    } catch (const InputError& error) {
+      note(error);
+    }
+  }
+  std::sort(files.rbegin(), files.rend());
+  // One after the other: there may be no room for two.
+  for (const auto& [step, name] : files) {
+    try {
+      newest.checkpoint = read_checkpoint(folder / name);
+      newest.file = name;
+      newest.seconds = since(begin).count();
+      return newest;
+    } catch (const InputError& error) {
+      note(error);
+    }
+  }
+  throw InputError(newest.fault.empty()
+                       ? folder.string() + " holds no checkpoint; allowed: the folder of a run"
+                       : newest.fault);
+}
+
+SaveCheckpoint::SaveCheckpoint(std::function<void()> save, double minutes, std::atomic<bool>& asked,
+                               std::atomic<bool>& attention)
+    : save_(std::move(save)),
+      period_(std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double, std::ratio<60>>(minutes))),
+      asked_(asked),
+      alarm_(attention) {
+  alarm_.set(last_ + period_);
+}
+
+bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >= period_; }
+
+std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
+  asked_ = false;
+  // A state with a fault is not saved; whether it ends the run, the Monitor says at its own steps: the time
+  // of day does not.
+  if (fault_of(now.packing(), now.simulation().model()).empty()) save_();
+  last_ = Clock::now();
+  alarm_.set(last_ + period_);
+  return {};
+}
+
+}  // namespace furnas

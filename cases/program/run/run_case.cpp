@@ -1,0 +1,319 @@
+#include "cases/program/run/run_case.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "cases/program/build_info.h"
+#include "cases/program/run/progress.h"
+#include "cases/program/run/recording.h"
+#include "cases/program/run/scenario.h"
+#include "cases/program/run/schedule.h"
+#include "cases/program/run/signals.h"
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "engine/events/flip.h"
+#include "engine/events/limits.h"
+#include "engine/events/quench.h"
+#include "engine/monitor/faults.h"
+#include "engine/state/fingerprint.h"
+#include "engine/state/validate.h"
+#include "io/atomic_file.h"
+#include "io/case_file.h"
+#include "io/manifest.h"
+#include "io/outputs.h"
+#include "viz/picture.h"
+
+namespace furnas {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+template <class E>
+std::int64_t count_of(const Events& events) {
+  for (const auto& event : events)
+    if (const auto* found = dynamic_cast<const E*>(event.get())) return found->count();
+  return 0;
+}
+
+std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest, const Case& c) {
+  switch (verdict) {
+    case Verdict::jammed:
+      if (c.stop.criterion == "paper")
+        return "the kinetic energy is below its limit, which is all that was asked";
+      return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
+    case Verdict::diverged:
+      break;
+    case Verdict::interrupted:
+      return "stopped by a signal; resume goes on";
+    case Verdict::budget:
+      break;
+  }
+  const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
+  return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
+}
+
+/// How a run ended, and what broke it if something did.
+struct Outcome {
+  Verdict verdict;
+  std::string failure;
+  bool good = true;  ///< the state may be saved
+};
+
+void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
+  if (c.output.picture == "none") return;
+  PictureOptions options;
+  options.width = options.height = c.output.picture_size;
+  options.transparent = c.output.background == "transparent";
+  try {
+    render_png(packing, folder / "packing.png", options);
+  } catch (const std::exception& error) {
+    // The numbers are safe by now; a machine without OpenGL costs the picture alone.
+    console.err << "furnas: no picture: " << error.what() << '\n';
+  }
+}
+
+/// A run from where this process begins to the files of its folder.
+class Run {
+ public:
+  Run(RunOrder order, Console console);
+  ExitCode go();
+
+ private:
+  void take_up();
+  Outcome outcome();
+  Outcome compact_on();
+  Result result_of(const Outcome& outcome);
+  void write_files(const Packing& packing, const Outcome& outcome, const Result& result);
+  /// All that the run needs to go on from here.
+  CheckpointView whole();
+  std::int64_t lists_built() const;
+  double wall_seconds() const;
+
+  RunOrder order_;
+  const std::filesystem::path folder_;
+  const Case& case_;
+  Console console_;
+  std::string case_text_;
+  Requests requests_;
+  SignalGuard guard_{requests_};
+  std::unique_ptr<Simulation> simulation_;
+  const std::int64_t first_step_;  ///< where this process begins
+  Observation now_;
+  RestWatch watch_;
+  std::vector<RestingState> reached_;
+  Checkpoints checkpoints_;
+  Events events_;
+  bool jammed_;
+};
+
+int threads_of(const RunOrder& order) {
+  const auto& asked = order.resolved_case.compute.threads;
+  return asked ? *asked : threads_for(order.start.size());
+}
+
+Run::Run(RunOrder order, Console console)
+    : order_(std::move(order)),
+      folder_(order_.folder->path()),
+      case_(order_.resolved_case),
+      console_(console),
+      case_text_(resolved_toml(case_)),
+      simulation_(make_simulation(model_of(case_, order_.start), order_.start, threads_of(order_))),
+      first_step_(order_.start.step),
+      now_(*simulation_, backbone_threshold_of(case_), order_.past.replaced),
+      watch_(rest_criteria_of(case_)),
+      reached_(order_.past.reached),
+      checkpoints_(folder_, order_.checkpoint, order_.checkpoint_seconds),
+      jammed_(order_.past.jammed) {
+  order_.start = {};  // the simulation has its own; there is no room for both
+  watch_.restore(order_.past.watch);
+  if (!reached_.empty()) simulation_->set_pressure(case_.compaction.pressure.at(reached_.size()));
+  RunContext context{case_,
+                     folder_,
+                     [this] { checkpoints_.write(whole()); },
+                     first_step_,
+                     {},
+                     console.err,
+                     isatty(STDERR_FILENO) == 1,
+                     requests_,
+                     watch_,
+                     checkpoints_,
+                     reached_};
+  if (order_.walltime) context.deadline = order_.begin + *order_.walltime;
+  events_ = schedule(context);
+}
+
+/// Puts the files of the folder where the run stands.
+void Run::take_up() {
+  for (const auto& event : events_) {
+    const auto saved = order_.past.events.find(event->name());
+    event->restore(saved == order_.past.events.end() ? std::string() : saved->second);
+  }
+  write_file(folder_ / "case.resolved.toml", case_text_);
+  // Whatever happens, there is a good state to go back to.
+  if (order_.checkpoint.empty()) checkpoints_.write(whole());
+  order_.folder->keep();
+}
+
+std::int64_t Run::lists_built() const {
+  // The list with which a process begins is none that the run would have built.
+  return order_.past.lists_built + simulation_->builds() - (order_.checkpoint.empty() ? 0 : 1);
+}
+
+double Run::wall_seconds() const {
+  return order_.past.wall_seconds + std::chrono::duration<double>(Clock::now() - order_.begin).count();
+}
+
+CheckpointView Run::whole() {
+  Continuation c{reached_, watch_.saved(), {}, now_.replaced(), lists_built(), wall_seconds(), jammed_};
+  for (const auto& event : events_)
+    if (std::string saved = event->saved(); !saved.empty()) c.events[event->name()] = std::move(saved);
+  return {now_.packing(), case_text_, to_extras(c)};
+}
+
+Outcome Run::compact_on() {
+  const Verdict verdict = compact(now_, events_, &requests_.attention);
+  if (verdict == Verdict::diverged) return {verdict, now_.fault(), false};
+  const std::string fault = fault_of(now_.packing(), simulation_->model());
+  if (fault.empty()) return {verdict, {}};
+  // Whether a fault ends a run, the Monitor says at its own steps, not whoever stops it in between.
+  const bool stopped =
+      verdict == Verdict::interrupted || (verdict == Verdict::budget && now_.step() < case_.stop.steps);
+  if (stopped) return {verdict, {}, false};
+  return {Verdict::diverged, fault, false};
+}
+
+/// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
+Outcome Run::outcome() {
+  if (jammed_) return {Verdict::jammed, {}};
+  try {
+    return compact_on();
+  } catch (const NumericalFailure& error) {
+    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now_.step()), false};
+  }
+}
+
+Result Run::result_of(const Outcome& outcome) {
+  Result result;
+  result.verdict = outcome.verdict;
+  result.version = build_info().version;
+  result.measures = now_.measures();
+  result.measures.rebuilds = lists_built();
+  result.rest = watch_.report();
+  result.reason = outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_)
+                                          : outcome.failure;
+  result.quenches = count_of<Quench>(events_);
+  result.flips = count_of<Flip>(events_);
+  result.state_hash = state_hash(now_.packing());
+  for (Species s : now_.packing().species) ++(s == Species::large ? result.large : result.small);
+  const auto& radii = now_.packing().radius;
+  result.largest_diameter = 2 * *std::max_element(radii.begin(), radii.end());
+  const Model& model = simulation_->model();
+  result.time_step = model.time_step;
+  result.pressure = model.barostat.pressure;
+  result.inertia = model.barostat.inertia;
+  result.threads = simulation_->threads();
+  result.steps_here = now_.step();
+  result.wall_seconds = wall_seconds();
+  result.reached = reached_;
+  if (outcome.verdict == Verdict::jammed)
+    result.reached.push_back({result.pressure, result.measures.phi, now_.step()});
+  return result;
+}
+
+void Run::write_files(const Packing& packing, const Outcome& outcome, const Result& result) {
+  write_outputs({case_, packing, result}, folder_);
+  write_file(folder_ / "log.txt", summary(result, case_, folder_));
+  if (outcome.verdict != Verdict::diverged) draw(packing, case_, folder_, console_);
+  const BuildInfo& build = build_info();
+  write_manifest(folder_, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
+}
+
+ExitCode Run::go() {
+  if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
+  take_up();
+  const Outcome end = outcome();
+  for (const auto& event : events_)
+    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
+  const bool moved = order_.checkpoint.empty() || now_.step() > first_step_;
+  jammed_ = end.verdict == Verdict::jammed;
+  if (end.good && moved) checkpoints_.write(whole());
+  const Result result = result_of(end);
+  const Packing packing = now_.take_packing();
+  simulation_.reset();  // what is written needs as much memory
+  write_files(packing, end, result);
+  console_.out << summary(result, case_, folder_) << std::flush;
+  return exit_code_of(end.verdict);
+}
+
+}  // namespace
+
+RunOrder order_to_run(const Case& c) {
+  RunOrder order;
+  order.resolved_case = c;
+  order.start = start_of(c);
+  validate(order.start);
+  return order;
+}
+
+RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes) {
+  RunOrder order;
+  order.folder = std::make_unique<RunFolder>(RunFolder::open(folder));
+  Checkpoints::Found found = Checkpoints::find_newest(folder);
+  order.past = continuation_of(found.checkpoint);
+  order.resolved_case = case_to_go_on_with(folder, found.checkpoint, changes);
+  order.start = std::move(found.checkpoint.packing);
+  order.checkpoint = found.file;
+  order.checkpoint_seconds = found.seconds;
+  if (!found.fault.empty())
+    order.remark = "going on from the older checkpoint " + found.file + ", for " + found.fault;
+  return order;
+}
+
+ExitCode exit_code_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::jammed:
+      return ExitCode::done;
+    case Verdict::budget:
+      return ExitCode::budget_spent;
+    case Verdict::diverged:
+      return ExitCode::numerical_failure;
+    case Verdict::interrupted:
+      return ExitCode::interrupted;
+  }
+  return ExitCode::internal_error;
+}
+
+std::string summary(const Result& r, const Case& c, const std::filesystem::path& folder) {
+  const Measures& m = r.measures;
+  const auto& backbone = m.backbone();
+  std::string text = fmt::format("verdict   {} ({})\n", to_string(r.verdict), r.reason);
+  if (r.phi_J())
+    text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,
+                        c.contact.friction);
+  else if (r.verdict == Verdict::diverged)
+    text += "phi       none: the last good state is that of the checkpoint\n";
+  else
+    text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
+  text +=
+      fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
+                  m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
+  text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
+                      backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
+  text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
+                      remark_on_thickness(r.thickness()));
+  text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
+                      duration_text(r.wall_seconds),
+                      static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
+                          std::max(r.wall_seconds, 1e-9) / 1e6,
+                      r.threads, r.threads == 1 ? "" : "s");
+  text += fmt::format("state     {:016x}\n", r.state_hash);
+  text += fmt::format("files     {}\n", folder.string());
+  return text;
+}
+
+ExitCode run_case(RunOrder order, Console console) { return Run(std::move(order), console).go(); }
+
+}  // namespace furnas

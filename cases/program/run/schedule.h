@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+
+#include "cases/program/run/recording.h"
+#include "cases/program/run/signals.h"
+#include "engine/events/at_rest.h"
+#include "io/case.h"
+
+namespace furnas {
+
+/// What the events of a run share with whoever started it.
+struct RunContext {
+  const Case& resolved_case;
+  std::filesystem::path folder;
+  std::function<void()> save;                                     ///< writes all that the run needs to go on
+  std::int64_t first_step{};                                      ///< where this process begins
+  std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
+  std::ostream& out;                                              ///< for progress
+  bool live{};                                                    ///< `out` is a terminal
+  Requests& requests;
+  RestWatch& watch;
+  Checkpoints& checkpoints;
+  std::vector<RestingState>& reached;
+};
+
+/// All that can happen in a run, in the order in which events of one step happen.
+Events schedule(RunContext& run);
+
+}  // namespace furnas

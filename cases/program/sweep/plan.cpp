@@ -1,0 +1,211 @@
+#include "cases/program/sweep/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cases/program/build_info.h"
+#include "cases/program/preflight.h"
+#include "cases/program/run/recording.h"
+#include "cases/program/run/scenario.h"
+#include "engine/base/require.h"
+#include "io/case_check.h"
+#include "io/case_file.h"
+#include "io/case_schema.h"
+#include "io/case_words.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fitted to the samples of docs/study: frictionless packings settle the more slowly the larger they are,
+/// frictional ones near the densest mixture, where a few bridges carry, and the more so the larger the size
+/// ratio.
+double expected_steps(const Case& c, double particles) {
+  const double off = (c.mixture.small_fraction - 0.33) / 0.12;
+  const double near_the_maximum = 3e4 * c.mixture.size_ratio * c.mixture.size_ratio * std::exp(-off * off);
+  const double steps =
+      c.contact.friction > 0 ? 1e5 + near_the_maximum : 4e5 * std::sqrt(std::max(particles / 500, 1.0));
+  return std::min(steps, static_cast<double>(c.stop.steps));
+}
+
+double particles_of(const Case& c) {
+  if (!c.start.file.empty()) return static_cast<double>(start_of(c).size());
+  return static_cast<double>(c.mixture.large) + small_spheres(c.mixture);
+}
+
+std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
+
+/// A value as it may stand in the name of a folder and in a table.
+std::string value_in(const Case& c, const std::string& key) {
+  std::string value = value_text(*find_key(key.substr(0, key.find('.')), name_in(key)), c);
+  std::erase_if(value, [](char letter) { return letter == '"' || letter == '\'' || letter == ' '; });
+  std::replace(value.begin(), value.end(), '/', '_');
+  std::replace(value.begin(), value.end(), ',', ';');
+  return value;
+}
+
+/// Sets a key to its default.
+void forget(const Key& key, Case& c) {
+  Case defaults;
+  std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
+}
+
+/// The case without what changes no bit of its steps.
+std::string identity(Case c) {
+  for (const Key& key : case_keys())
+    if (changes_no_bit(key)) forget(key, c);
+  return resolved_toml(c);
+}
+
+/// The same for any small_fraction.
+std::string identity_of_curve(Case c) {
+  c.mixture.small_fraction = 0;
+  return identity(c);
+}
+
+/// Calls `visit` with the base case changed to each combination of one value of each axis.
+template <class Visit>
+void each_point(const SweepGrid& grid, const Case& c, Visit&& visit, std::size_t axis = 0) {
+  if (axis == grid.axes.size()) return visit(c);
+  for (const std::string& value : grid.axes[axis].values) {
+    Case changed = c;
+    apply_override(changed, grid.axes[axis].key + "=" + value);
+    each_point(grid, changed, visit, axis + 1);
+  }
+}
+
+void validate_point(const Case& c, const SweepGrid& grid) {
+  try {
+    validate(c);
+  } catch (const InputError& error) {
+    throw InputError(grid.place + ": " + error.what());
+  }
+  // Samples that are one and the same would pass for independent ones that agree to all digits.
+  if (!c.start.file.empty() && grid.samples > 1)
+    throw InputError(fmt::format("{}: samples = {} of start.file = \"{}\", which has no seed; allowed: 1",
+                                 grid.place, grid.samples, c.start.file));
+}
+
+}  // namespace
+
+std::vector<std::string> keys_of(const SweepFile& sweep) {
+  std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
+  if (!sweep.base.start.file.empty()) keys = {"contact.friction"};
+  std::map<std::string, std::set<std::string>> values;
+  for (const SweepGrid& grid : sweep.grids)
+    for (const SweepAxis& axis : grid.axes) values[axis.key].insert(axis.values.begin(), axis.values.end());
+  for (const SweepGrid& grid : sweep.grids)
+    for (const auto& [key, of_key] : values) {
+      const bool named = std::any_of(grid.axes.begin(), grid.axes.end(),
+                                     [&, &name = key](const SweepAxis& axis) { return axis.key == name; });
+      // A grid that does not name a key takes it from the case.
+      if ((of_key.size() > 1 || !named) && std::find(keys.begin(), keys.end(), key) == keys.end())
+        keys.push_back(key);
+    }
+  return keys;
+}
+
+fs::path folder_of_sample(const std::vector<std::string>& keys, const std::vector<std::string>& values,
+                          std::int64_t seed) {
+  std::string point;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    point += fmt::format("{}{}={}", point.empty() ? "" : ",", name_in(keys[k]), values[k]);
+  return fs::path("samples") / point / std::to_string(seed);
+}
+
+Sample sample_of(const Case& c, const std::vector<std::string>& keys, const fs::path& folder) {
+  const double particles = particles_of(c);
+  Sample sample{c, {}, {}, particles, expected_steps(c, particles)};
+  for (const std::string& key : keys) sample.values.push_back(value_in(c, key));
+  sample.folder = folder / folder_of_sample(keys, sample.values, c.mixture.seed);
+  return sample;
+}
+
+std::vector<Sample> samples_of(const SweepFile& sweep, const std::vector<std::string>& keys,
+                               const fs::path& folder) {
+  std::vector<Sample> samples;
+  std::map<fs::path, std::string> known;
+  for (const SweepGrid& grid : sweep.grids)
+    each_point(grid, sweep.base, [&](Case c) {
+      validate_point(c, grid);
+      for (int k = 0; k < grid.samples; ++k, ++c.mixture.seed) {
+        Sample sample = sample_of(c, keys, folder);
+        const std::string is = resolved_toml(c);
+        const auto [place, fresh] = known.emplace(sample.folder, is);
+        if (!fresh && place->second != is)
+          throw InputError(fmt::format(
+              "{}: {} stands for two cases that differ in another key; allowed: one case for each "
+              "combination of values",
+              grid.place, sample.folder.string()));
+        if (fresh) samples.push_back(std::move(sample));
+      }
+    });
+  return samples;
+}
+
+Sample moved_to(const Sample& sample, double small_fraction, const std::vector<std::string>& keys,
+                const fs::path& folder) {
+  Case c = sample.resolved_case;
+  c.mixture.small_fraction = small_fraction;
+  validate(c);
+  return sample_of(c, keys, folder);
+}
+
+std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,
+                                  const fs::path& folder) {
+  std::set<fs::path> known;
+  std::set<std::string> curves;
+  for (const Sample& sample : planned) {
+    known.insert(sample.folder);
+    curves.insert(identity_of_curve(sample.resolved_case));
+  }
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder / "samples"))
+    for (const auto& point : fs::directory_iterator(folder / "samples"))
+      for (const auto& entry : fs::directory_iterator(point))
+        if (!known.contains(entry.path()) && fs::exists(entry.path() / "case.resolved.toml"))
+          files.push_back(entry.path() / "case.resolved.toml");
+  std::sort(files.begin(), files.end());
+  std::vector<Sample> added;
+  for (const fs::path& file : files) {
+    const Sample sample = sample_of(read_case(file), keys, folder);
+    if (sample.folder == file.parent_path() && curves.contains(identity_of_curve(sample.resolved_case)))
+      added.push_back(sample);
+  }
+  return added;
+}
+
+double Sample::memory() const { return expected_memory(particles, resolved_case); }
+
+SampleState state_of(const Sample& sample) {
+  const fs::path resolved = sample.folder / "case.resolved.toml";
+  if (!fs::exists(resolved)) return SampleState::missing;
+  if (identity(read_case(resolved)) != identity(sample.resolved_case))
+    throw InputError(
+        fmt::format("{} holds another case than the sweep asks for there; allowed: remove it, or take "
+                    "another --out",
+                    sample.folder.string()));
+  std::ifstream file(sample.folder / "result.json");
+  const auto result = nlohmann::json::parse(file, nullptr, false);
+  if (result.is_object()) {
+    const std::string version = result.value("version", "an older version");
+    if (version != build_info().version)
+      throw InputError(fmt::format(
+          "{} was made by furnas {} and this is {}, whose samples may have other bits; allowed: go on with "
+          "that one, remove it, or take another --out",
+          sample.folder.string(), version, build_info().version));
+    const std::string verdict = result.value("verdict", "");
+    const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
+    if (verdict == "jammed" || verdict == "diverged" || (verdict == "budget" && all_steps))
+      return SampleState::finished;
+  }
+  return Checkpoints::none(sample.folder) ? SampleState::missing : SampleState::interrupted;
+}
+
+}  // namespace furnas

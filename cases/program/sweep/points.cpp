@@ -1,0 +1,149 @@
+#include "cases/program/sweep/points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cases/program/table.h"
+#include "engine/statistics/maximum.h"
+
+namespace furnas {
+namespace {
+
+Point begin_point(const SampleRow& row) {
+  Point point;
+  point.values = row.values;
+  point.size_ratio = row.size_ratio;
+  point.small_fraction = row.small_fraction;
+  point.friction = row.friction;
+  return point;
+}
+
+void count_verdict(Point& point, const SampleRow& row) {
+  ++point.samples;
+  ++(row.jammed()                ? point.jammed
+     : row.verdict == "budget"   ? point.budget
+     : row.verdict == "diverged" ? point.diverged
+     : row.verdict == "failed"   ? point.failed
+                                 : point.unfinished);
+  point.large = std::max(point.large, row.large);
+  point.small = std::max(point.small, row.small);
+}
+
+std::optional<MeanInterval> mean_of(const std::vector<double>& samples) {
+  if (samples.empty()) return {};
+  return mean_interval(samples);
+}
+
+void take_means(Point& point, const std::vector<const SampleRow*>& jammed) {
+  std::vector<double> Z;
+  std::array<std::vector<double>, 3> large, small;
+  for (const SampleRow* row : jammed) {
+    point.phi_J.push_back(row->phi_J);
+    Z.push_back(row->Z_backbone);
+    point.effective_size += row->backbone;
+    for (std::size_t n = 0; n < 3; ++n) {
+      if (row->large > 0)
+        large[n].push_back(static_cast<double>(row->large_rattlers[n]) / static_cast<double>(row->large));
+      if (row->small > 0)
+        small[n].push_back(static_cast<double>(row->small_rattlers[n]) / static_cast<double>(row->small));
+    }
+  }
+  point.mean_phi_J = mean_of(point.phi_J);
+  point.mean_Z_backbone = mean_of(Z);
+  for (std::size_t n = 0; n < 3; ++n) {
+    point.large_rattlers[n] = mean_of(large[n]);
+    point.small_rattlers[n] = mean_of(small[n]);
+  }
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+
+/// The mean, and half of its interval.
+void add_mean(std::vector<std::string>& cells, const std::optional<MeanInterval>& mean) {
+  cells.push_back(mean ? number(mean->mean) : "");
+  cells.push_back(mean ? number(mean->half_width) : "");
+}
+
+}  // namespace
+
+std::vector<Point> points_of(const SampleTable& table) {
+  std::vector<Point> points;
+  std::map<std::vector<std::string>, std::size_t> place;
+  std::vector<std::vector<const SampleRow*>> jammed;
+  for (const SampleRow& row : table.rows) {
+    const auto [found, fresh] = place.emplace(row.values, points.size());
+    if (fresh) {
+      points.push_back(begin_point(row));
+      jammed.emplace_back();
+    }
+    count_verdict(points[found->second], row);
+    if (row.jammed()) jammed[found->second].push_back(&row);
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) take_means(points[k], jammed[k]);
+  return points;
+}
+
+std::string csv(const std::vector<Point>& points, const std::vector<std::string>& keys) {
+  std::vector<std::string> names = keys;
+  names.insert(names.end(), {"large", "small", "samples", "jammed", "jammed_share", "budget", "diverged",
+                             "failed", "unfinished", "effective_size"});
+  for (const char* name : {"phi_J", "Z_backbone", "large_rattlers_2", "large_rattlers_3", "large_rattlers_4",
+                           "small_rattlers_2", "small_rattlers_3", "small_rattlers_4"}) {
+    names.emplace_back(name);
+    names.push_back(fmt::format("{}_half_width", name));
+  }
+  Table text(names);
+  for (const Point& p : points) {
+    std::vector<std::string> cells = p.values;
+    for (const std::int64_t n : {p.large, p.small}) cells.push_back(std::to_string(n));
+    for (const std::size_t n : {p.samples, p.jammed}) cells.push_back(std::to_string(n));
+    cells.push_back(fmt::format("{:.3g}", static_cast<double>(p.jammed) / static_cast<double>(p.samples)));
+    for (const std::size_t n : {p.budget, p.diverged, p.failed, p.unfinished})
+      cells.push_back(std::to_string(n));
+    cells.push_back(fmt::format("{:.0f}", p.effective_size));
+    add_mean(cells, p.mean_phi_J);
+    add_mean(cells, p.mean_Z_backbone);
+    for (const auto& mean : p.large_rattlers) add_mean(cells, mean);
+    for (const auto& mean : p.small_rattlers) add_mean(cells, mean);
+    text.row(cells);
+  }
+  return text.csv();
+}
+
+std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector<std::string>& keys) {
+  std::vector<Curve> curves;
+  std::map<std::vector<std::string>, std::size_t> place;
+  for (const Point& point : points) {
+    if (!point.mean_phi_J) continue;
+    std::vector<std::string> others;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      if (keys[k] != "mixture.small_fraction") others.push_back(point.values[k]);
+    const auto [found, fresh] = place.emplace(others, curves.size());
+    if (fresh) curves.emplace_back();
+    curves[found->second].points.push_back(point);
+  }
+  for (Curve& curve : curves)
+    std::sort(curve.points.begin(), curve.points.end(),
+              [](const Point& a, const Point& b) { return a.small_fraction < b.small_fraction; });
+  return curves;
+}
+
+std::optional<CurveMaximum> maximum_of(const Curve& curve) {
+  if (curve.points.size() < 3) return {};
+  std::vector<double> f, phi;
+  for (const Point& point : curve.points)
+    for (const double sample : point.phi_J) {
+      f.push_back(point.small_fraction);
+      phi.push_back(sample);
+    }
+  const auto highest = std::max_element(
+      curve.points.begin(), curve.points.end(),
+      [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; });
+  const Maximum m = find_maximum(f, phi);
+  return CurveMaximum{*highest->mean_phi_J, highest->small_fraction, m.at, m.low, m.high};
+}
+
+}  // namespace furnas

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cases/program/sweep/plan.h"
+
+namespace furnas {
+
+/// The name of the file in the folder of a sweep.
+inline constexpr const char* sample_table_name = "sweep.csv";
+
+/// What became of a sample.
+struct SampleRow {
+  std::vector<std::string> values;  ///< of the keys of its table
+  double size_ratio = 1;            ///< alpha
+  double small_fraction{};          ///< f_s
+  double friction{};                ///< mu
+  std::int64_t seed{};
+  std::int64_t large{}, small{};  ///< particles of each species; 0 when it has no result
+  std::string verdict;            ///< that of result.json, "failed" or "unfinished"
+  std::string reason;
+  double phi_J;       ///< NaN unless jammed
+  double phi;         ///< at the end; NaN without a result, as the three below
+  double Z;           ///< 2 contacts/particles, rattlers included
+  double Z_backbone;  ///< the same of the backbone
+  double backbone;    ///< particles in the backbone
+  std::array<std::int64_t, 3> large_rattlers{}, small_rattlers{};  ///< with z_min 2, 3, 4
+  std::int64_t steps{};
+  double wall_seconds{};
+  std::string state_hash;
+
+  bool jammed() const { return verdict == "jammed"; }
+};
+
+/// The samples of a sweep, a row each.
+struct SampleTable {
+  std::vector<std::string> keys;  ///< "mixture.size_ratio", ...
+  std::vector<SampleRow> rows;
+};
+
+/// Reads what the samples have left in their folders.
+SampleTable table_of(const std::vector<Sample>& samples, const std::vector<std::string>& keys);
+
+/// As text; empty cells stand for what is not known.
+std::string csv(const SampleTable& table);
+
+/// Reads the table of a sweep's folder. Throws InputError.
+SampleTable read_sample_table(const std::filesystem::path& folder);
+
+}  // namespace furnas

@@ -1,0 +1,215 @@
+#include "cases/program/sweep/sweep.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <ostream>
+#include <set>
+
+#include "cases/program/preflight.h"
+#include "cases/program/run/folder_lock.h"
+#include "cases/program/run/progress.h"
+#include "cases/program/run/run_folder.h"
+#include "cases/program/run/signals.h"
+#include "cases/program/sweep/points.h"
+#include "cases/program/sweep/pool.h"
+#include "cases/program/sweep/refinement.h"
+#include "cases/program/table.h"
+#include "engine/base/parallel.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// So often the points around a maximum are made denser.
+constexpr int most_refinements = 6;
+
+Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::string>& keys) {
+  std::vector<std::string> names;
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (keys[k] != "mixture.small_fraction") {
+      names.push_back(keys[k]);
+      columns.push_back(k);
+    }
+  names.insert(names.end(), {"points", "f_max", "f_max_low", "f_max_high", "known", "phi_max",
+                             "phi_max_half_width", "phi_max_samples"});
+  Table table(names);
+  for (const Curve& curve : curves) {
+    const auto m = maximum_of(curve);
+    if (!m) continue;
+    std::vector<std::string> cells;
+    cells.reserve(names.size());
+    for (const std::size_t k : columns) cells.push_back(curve.points.front().values[k]);
+    cells.push_back(std::to_string(curve.points.size()));
+    for (const double f : {m->f_max, m->f_max_low, m->f_max_high}) cells.push_back(fmt::format("{:.4f}", f));
+    cells.emplace_back(m->f_max_high - m->f_max_low <= 2 * wanted_f_max ? "yes" : "no");
+    cells.push_back(fmt::format("{:.5f}", m->phi_max.mean));
+    cells.push_back(m->phi_max.samples > 1 ? fmt::format("{:.5f}", m->phi_max.half_width) : "");
+    cells.push_back(std::to_string(m->phi_max.samples));
+    table.row(cells);
+  }
+  return table;
+}
+
+/// The standing of the whole on one line: renewed on a terminal, a new one for each sample elsewhere.
+class Line {
+ public:
+  explicit Line(std::ostream& out) : out_(out), live_(isatty(STDERR_FILENO) == 1) {}
+
+  void show(const SweepStanding& s) {
+    const auto since = Clock::now() - shown_;
+    const auto pause = live_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10);
+    if (s.done == done_ && since < pause) return;
+    shown_ = Clock::now();
+    done_ = s.done;
+    out_ << fmt::format("{}{} of {} samples done{}  {} running  {} to come  about {} left{}",
+                        live_ ? "\r" : "", s.done, s.done + s.running + s.left,
+                        s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running, s.left,
+                        duration_text(s.seconds_left), live_ ? "\033[K" : "\n")
+         << std::flush;
+  }
+
+  void finish() {
+    if (live_) out_ << "\r\033[K" << std::flush;
+  }
+
+ private:
+  std::ostream& out_;
+  bool live_;
+  Clock::time_point shown_{};
+  std::optional<std::size_t> done_;
+};
+
+class Sweep {
+ public:
+  Sweep(const SweepOrder& order, Console console)
+      : order_(order),
+        console_(console),
+        keys_(keys_of(order.file)),
+        samples_(samples_of(order.file, keys_, order.folder)) {
+    // What the file does not ask for, now or any more, counts if it is there and is not run.
+    for (Sample& sample : added_samples(samples_, keys_, order.folder))
+      if (order.refine || state_of(sample) == SampleState::finished) samples_.push_back(std::move(sample));
+  }
+
+  ExitCode go() {
+    const auto finished = std::count_if(samples_.begin(), samples_.end(), [](const Sample& sample) {
+      return state_of(sample) == SampleState::finished;
+    });
+    if (finished > 0)
+      console_.err << fmt::format("{} of {} samples are finished and not run again\n", finished,
+                                  samples_.size());
+    Requests requests;
+    const SignalGuard guard(requests);
+    bool whole = run(requests);
+    for (int n = 0; whole && order_.refine && n < most_refinements; ++n) {
+      const std::vector<Sample> added = refining_samples(samples_, keys_, order_.folder);
+      if (added.empty()) break;
+      console_.err << fmt::format("{} samples more around the maxima\n", added.size());
+      samples_.insert(samples_.end(), added.begin(), added.end());
+      whole = run(requests);
+    }
+    summarize();
+    if (whole) return ExitCode::done;
+    console_.err << "stopped by a signal; all samples are saved, and the same command goes on\n";
+    return ExitCode::interrupted;
+  }
+
+ private:
+  bool run(Requests& requests) {
+    Line line(console_.err);
+    std::optional<std::size_t> done;
+    const bool whole = run_samples(samples_, order_.jobs, requests, [&](const SweepStanding& s) {
+      line.show(s);
+      if (s.done != done) write_tables();
+      done = s.done;
+    });
+    line.finish();
+    write_tables();
+    return whole;
+  }
+
+  void write_tables() const {
+    const SampleTable table = table_of(samples_, keys_);
+    const std::vector<Point> points = points_of(table);
+    write_file(order_.folder / sample_table_name, csv(table));
+    write_file(order_.folder / "points.csv", csv(points, keys_));
+    write_file(order_.folder / "maxima.csv", maxima_table(curves_of(points, keys_), keys_).csv());
+  }
+
+  void summarize() const {
+    const SampleTable table = table_of(samples_, keys_);
+    Table text({"point", "samples", "jammed", "phi_J", "+-", "Z", "effective size"});
+    for (const Point& p : points_of(table)) {
+      const auto& phi = p.mean_phi_J;
+      text.row({fmt::format("{}", fmt::join(p.values, " ")), std::to_string(p.samples),
+                std::to_string(p.jammed), phi ? fmt::format("{:.5f}", phi->mean) : "-",
+                phi && phi->samples > 1 ? fmt::format("{:.5f}", phi->half_width) : "-",
+                p.mean_Z_backbone ? fmt::format("{:.3f}", p.mean_Z_backbone->mean) : "-",
+                fmt::format("{:.0f}", p.effective_size)});
+    }
+    console_.out << fmt::format("points of {}\n", fmt::join(keys_, " ")) << text.aligned();
+    const std::vector<Curve> curves = curves_of(points_of(table), keys_);
+    for (const Curve& curve : curves)
+      if (const auto m = maximum_of(curve))
+        console_.out << fmt::format("alpha {:g}, mu {:g}: f_max {:.3f} ({:.3f} to {:.3f}), phi_max {:.4f}\n",
+                                    curve.size_ratio(), curve.friction(), m->f_max, m->f_max_low,
+                                    m->f_max_high, m->phi_max.mean);
+    for (const SampleRow& row : table.rows)
+      if (!row.jammed())
+        console_.out << fmt::format("{} seed {}: {}{}\n", fmt::join(row.values, " "), row.seed, row.verdict,
+                                    row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
+    console_.out << fmt::format("files  {}: {} points.csv maxima.csv\n", order_.folder.string(),
+                                sample_table_name)
+                 << std::flush;
+  }
+
+  const SweepOrder& order_;
+  Console console_;
+  std::vector<std::string> keys_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+ExitCode run_sweep(const SweepOrder& order, Console console) {
+  samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
+  make_folder(order.folder);
+  const FolderLock lock(order.folder);
+  return Sweep(order, console).go();
+}
+
+std::string sweep_report(const SweepFile& sweep) {
+  const std::vector<Sample> samples = samples_of(sweep, keys_of(sweep), {});
+  double cost = 0, longest = 0;
+  std::set<fs::path> points;
+  double largest = 0, memory = 0;
+  std::string refusals;
+  for (const Sample& sample : samples) {
+    cost += sample.cost();
+    longest = std::max(longest, sample.cost());
+    largest = std::max(largest, sample.particles);
+    memory = std::max(memory, expected_memory(sample.particles, sample.resolved_case));
+    if (!points.insert(sample.folder.parent_path()).second) continue;
+    const std::string refusal = check_case(sample.resolved_case).refusal;
+    if (!refusal.empty())
+      refusals += fmt::format("refused   {}: {}\n", sample.folder.parent_path().filename().string(), refusal);
+  }
+  const double seconds = cost / pace_of_a_core;
+  return fmt::format(
+      "samples   {} at {} points\n"
+      "particles at most {:.0f} in a sample, about {:.2f} GB\n"
+      "time      about {} on one core, {} on the {} of this machine; the longest sample {} on one core\n{}",
+      samples.size(), points.size(), largest, memory / 1e9, duration_text(seconds),
+      duration_text(seconds / available_threads()), available_threads(),
+      duration_text(longest / pace_of_a_core), refusals);
+}
+
+}  // namespace furnas

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/analysis/contacts.h"
+#include "engine/analysis/histogram.h"
+
+namespace furnas {
+
+/// How bins for forces over their mean are laid.
+struct ForceBins {
+  bool logarithmic = false;
+  double width = 0.2;   ///< of linear bins [mean force]
+  int per_decade = 10;  ///< logarithmic bins in a power of ten
+};
+
+/// How a force is spread over contacts: P(f/<f>), where <f> is the mean over these contacts.
+struct ForceDistribution {
+  std::int64_t contacts{};
+  double mean{};        ///< <f> [k_n d_s]
+  double largest{};     ///< f of the contact that carries most [k_n d_s]
+  Histogram histogram;  ///< of f/<f>; without bins where <f> is 0. Logarithmic bins leave zeros `below`.
+};
+
+/// Of the normal forces.
+ForceDistribution normal_forces(const Packing& packing, const Selection& contacts, const ForceBins& bins);
+
+/// Of the sizes of the tangential forces.
+ForceDistribution tangential_forces(const Packing& packing, const Selection& contacts, const ForceBins& bins);
+
+/// How far contacts are from sliding.
+struct Mobilisation {
+  std::int64_t contacts{};
+  std::int64_t sliding{};  ///< those at the Coulomb limit
+  std::int64_t
+      beyond{};   ///< those above it by more than rounding: friction is not what the packing was made with
+  double mean{};  ///< of |F_t|/(mu F_n)
+  Histogram histogram;  ///< of |F_t|/(mu F_n) in [0, 1]
+
+  /// Share of the contacts at the Coulomb limit; 0 without contacts.
+  double sliding_share() const;
+};
+
+/// |F_t|/(friction F_n) of contacts that push, in `bins` bins; friction > 0.
+Mobilisation mobilisation(const Packing& packing, const Selection& contacts, double friction, int bins = 20);
+
+}  // namespace furnas

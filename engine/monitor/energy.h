@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/laws/any_law.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// A contact of a packing as its law sees it when nothing moves.
+Touch<double> touch_of(const Packing& packing, const Contact& contact);
+
+/// Kinetic energy of particle k: of its peculiar motion and of its spin [k_n d_s^2].
+double kinetic_energy(const Packing& packing, std::size_t k);
+
+/// Energy of all particles, with the springs of this law in their contacts.
+Energy energy(const Packing& packing, const AnyLaw& law);
+
+}  // namespace furnas

@@ -1,0 +1,55 @@
+#include "engine/monitor/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "engine/monitor/energy.h"
+
+namespace furnas {
+namespace {
+
+double stable_step(double stiffness, double damping) {
+  return 4 / (damping + std::sqrt(damping * damping + 4 * stiffness));
+}
+
+}  // namespace
+
+std::optional<double> collision_time(const AnyLaw& law, const Touch<double>& pair) {
+  const ContactStiffness s = stiffness_of(law, pair);
+  const double squared = s.normal / pair.reduced_mass - s.normal_damping * s.normal_damping / 4;
+  if (!(squared > 0)) return {};
+  return std::numbers::pi / std::sqrt(squared);
+}
+
+double restitution(const AnyLaw& law, const Touch<double>& pair) {
+  const auto time = collision_time(law, pair);
+  return time ? std::exp(-0.5 * stiffness_of(law, pair).normal_damping * *time) : 0;
+}
+
+double pair_frequency(const AnyLaw& law, const Touch<double>& pair) {
+  return std::sqrt(stiffness_of(law, pair).stiffest() / pair.reduced_mass);
+}
+
+double largest_stable_step(const AnyLaw& law, const Touch<double>& pair) {
+  const ContactStiffness s = stiffness_of(law, pair);
+  const double normal = stable_step(s.normal / pair.reduced_mass, s.normal_damping);
+  if (!has_friction(law)) return normal;
+  // Slip of two spheres meets 7/2 of the inverse mass: they also turn.
+  return std::min(normal,
+                  stable_step(3.5 * s.tangential / pair.reduced_mass, 3.5 * s.tangential_damping));
+}
+
+double stiffest_step(const Packing& p, const Model& model) {
+  std::vector<double> held(p.size());
+  for (const Contact& c : p.contacts) {
+    const double stiffness = 2 * stiffness_of(model.law, touch_of(p, c)).stiffest();
+    held[c.i] += stiffness, held[c.j] += stiffness;
+  }
+  double square = 0;
+  for (std::size_t k = 0; k < p.size(); ++k) square = std::max(square, held[k] / p.mass[k]);
+  return model.time_step * std::sqrt(square);
+}
+
+}  // namespace furnas
