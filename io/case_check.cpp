@@ -7,21 +7,14 @@
 #include <type_traits>
 
 #include "engine/base/require.h"
-#include "engine/base/sphere.h"
+#include "engine/monitor/stability.h"
 #include "engine/state/packing.h"
+#include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
 namespace furnas {
 namespace {
-
-constexpr double small_mass = sphere_volume(0.5);  // [rho d_s^3]
-
-/// The stability limit of x'' = -stiffness x - damping x' with the force, damping included, taken at the
-/// start of each step: stiffness dt^2 + 2 damping dt = 4.
-double stable_time_step(double stiffness, double damping) {
-  return 4 / (damping + std::sqrt(damping * damping + 4 * stiffness));
-}
 
 bool holds(const Range& range, const std::vector<double>& values) {
   return !values.empty() &&
@@ -58,7 +51,7 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
                                 "read or drawn; leave one of them out",
                                 c.start.file)};
   }
-  const double small = small_spheres(mixture);
+  const double small = small_count(mixture_of(c));
   const double all = small + static_cast<double>(mixture.large);
   if (all > static_cast<double>(most_particles))
     return Conflict{
@@ -77,15 +70,19 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
 }
 
 std::optional<Conflict> conflict_of_time_step(const Case& c) {
-  const auto dt = time_step(c);
+  const Protocol protocol = protocol_of(c);
+  const auto dt = time_step_of(protocol);
+  const Touch<double> small_pair = equal_pair(1);
   if (!dt)
     return Conflict{
         "contact.normal_damping",
         fmt::format("contact.normal_damping = {} overdamps the contact of two small spheres, so that "
                     "time_step has no collision time to count in; allowed: normal_damping < {:.5g}, "
                     "or give compaction.time_step_absolute",
-                    c.contact.normal_damping, 2 * std::sqrt(2 / small_mass))};
-  const double limit = largest_stable_time_step(c);
+                    c.contact.normal_damping, 2 / std::sqrt(small_pair.reduced_mass))};
+  const bool has_small = !c.start.file.empty() || c.mixture.small_fraction > 0;
+  const AnyLaw law = law_of(protocol);
+  const double limit = largest_stable_step(law, equal_pair(has_small ? 1 : c.mixture.size_ratio));
   if (*dt < limit) return {};
   const bool absolute = c.compaction.time_step_absolute.has_value();
   return Conflict{
@@ -93,41 +90,10 @@ std::optional<Conflict> conflict_of_time_step(const Case& c) {
       fmt::format("compaction.time_step{} = {} makes a pair of the smallest spheres unstable; "
                   "allowed: below {:.4g} {}",
                   absolute ? "_absolute" : "", absolute ? *dt : c.compaction.time_step,
-                  absolute ? limit : limit / *collision_time(c.contact), absolute ? "[time]" : "t_c")};
+                  absolute ? limit : limit / *collision_time(law, small_pair), absolute ? "[time]" : "t_c")};
 }
 
 }  // namespace
-
-double small_spheres(const Case::Mixture& mixture) {
-  const double ratio = mixture.size_ratio;
-  const double share = mixture.small_fraction / (1 - mixture.small_fraction);
-  return std::round(static_cast<double>(mixture.large) * ratio * ratio * ratio * share);
-}
-
-std::optional<double> collision_time(const Case::Contact& contact) {
-  const double squared = 2 / small_mass - contact.normal_damping * contact.normal_damping / 4;
-  if (!(squared > 0)) return {};
-  return std::numbers::pi / std::sqrt(squared);
-}
-
-std::optional<double> time_step(const Case& c) {
-  if (c.compaction.time_step_absolute) return c.compaction.time_step_absolute;
-  const auto unit = collision_time(c.contact);
-  if (!unit) return {};
-  return c.compaction.time_step * *unit;
-}
-
-double largest_stable_time_step(const Case& c) {
-  const bool has_small = !c.start.file.empty() || c.mixture.small_fraction > 0;
-  const double ratio = has_small ? 1 : c.mixture.size_ratio;
-  const double pair_mass = small_mass * ratio * ratio * ratio / 2;  // m_eff
-  const double normal = stable_time_step(1 / pair_mass, c.contact.normal_damping);
-  if (c.contact.friction == 0) return normal;
-  // Slip of two spheres meets 7/2 of the inverse mass: they also turn.
-  const double tangential =
-      stable_time_step(3.5 * c.contact.tangential_stiffness / pair_mass, 3.5 * c.contact.tangential_damping);
-  return std::min(normal, tangential);
-}
 
 std::optional<Conflict> find_conflict(const Case& c) {
   if (auto conflict = conflict_of_start(c)) return conflict;

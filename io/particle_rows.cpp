@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/base/require.h"
+#include "engine/state/validate.h"
 
 namespace furnas {
 namespace {
@@ -90,25 +91,7 @@ Packing assemble(const TextReader& reader, const Triangle& edges, std::vector<Pa
 }
 
 void check_packing(const Packing& packing, const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + what); };
-  if (packing.size() == 0) fail("there are no particles");
-  if (!spans_a_cell(packing.cell.edges) || !finite(packing.cell.rate))
-    fail("the cell's lengths and its volume must be above zero, and its edges and their rate finite");
-  if (!std::isfinite(packing.time)) fail("the time is not finite");
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    const auto bad = [&](const char* what) { fail(fmt::format("particle {}: {}", k + 1, what)); };
-    if (!above_zero(packing.radius[k])) bad("the radius must be above zero and finite");
-    if (!above_zero(packing.mass[k])) bad("the mass must be above zero and finite");
-    if (!finite(packing.velocity[k])) bad("the velocity is not finite");
-    if (!finite(packing.spin[k])) bad("the spin is not finite");
-    if (!finite(packing.force[k]) || !finite(packing.torque[k])) bad("force or torque is not finite");
-  }
-  for (const Contact& c : packing.contacts) {
-    if (c.i >= packing.size() || c.j >= packing.size()) fail("a contact names a particle that is not there");
-    if (!finite(c.branch) || !finite(c.force) || !finite(c.history) || !std::isfinite(c.overlap))
-      fail(fmt::format("the contact of the particles {} and {} has a number that is not finite", c.i + 1,
-                       c.j + 1));
-  }
+  if (const std::string flaw = flaw_of(packing); !flaw.empty()) throw InputError(file.string() + ": " + flaw);
 }
 
 }  // namespace furnas

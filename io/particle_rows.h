@@ -41,8 +41,7 @@ std::vector<Species> species_by_size(const std::vector<double>& radius);
 /// particle farther away than an image can count.
 Packing assemble(const TextReader& reader, const Triangle& edges, std::vector<ParticleRow> rows);
 
-/// Throws InputError, naming `file`, unless the packing has particles, a cell, and only finite numbers, with
-/// radii and masses above zero.
+/// Throws InputError that names `file` unless the packing is sound (flaw_of).
 void check_packing(const Packing& packing, const std::filesystem::path& file);
 
 }  // namespace furnas

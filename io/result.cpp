@@ -75,6 +75,10 @@ std::optional<double> Result::phi_J() const {
   return measures.phi;
 }
 
+const char* remark_on_thickness(double diameters) {
+  return diameters < 3 ? ": too thin to stand for a large packing" : "";
+}
+
 void write_result(const Result& r, const Case& c, const std::filesystem::path& path) {
   const Measures& m = r.measures;
   const auto phi_j = r.phi_J();

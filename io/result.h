@@ -40,6 +40,10 @@ struct Result {
   std::optional<double> phi_J() const;
 };
 
+/// What is to be said of a cell so many of its largest diameters thick: below 3 spheres share their
+/// neighbours with their own images, and it does not stand for a large packing.
+const char* remark_on_thickness(double diameters);
+
 /// Writes result.json.
 void write_result(const Result& result, const Case& c, const std::filesystem::path& path);
 

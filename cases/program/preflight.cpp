@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "cases/program/run/progress.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/sphere.h"
+#include "engine/monitor/stability.h"
 #include "engine/simulation.h"
-#include "io/case_check.h"
+#include "io/case_protocol.h"
+#include "io/result.h"
 
 namespace furnas {
 namespace {
@@ -29,7 +30,7 @@ Census census_of(const Case& c) {
   if (c.start.file.empty()) {
     n.large = c.mixture.size_ratio;
     n.larges = static_cast<double>(c.mixture.large);
-    n.smalls = small_spheres(c.mixture);
+    n.smalls = small_count(mixture_of(c));
     n.small = n.smalls > 0 ? 1.0 : n.large;
     n.volume = n.larges * mass_of(n.large) + n.smalls * mass_of(1);
     return n;
@@ -99,27 +100,25 @@ std::string refusal_of_time(double seconds_a_step, const Case& c) {
   return {};
 }
 
-std::string pair_line(const char* name, double a, double b, const Case& c) {
-  const double e = restitution(a, b, c.contact.normal_damping);
+Touch<double> pair_of(double a, double b) {
+  return resting_touch(a / 2, b / 2, reduced_mass(mass_of(a), mass_of(b)), 0);
+}
+
+std::string pair_line(const char* name, double a, double b, const AnyLaw& law) {
+  const double e = restitution(law, pair_of(a, b));
   return fmt::format("  {:<12} restitution {}\n", name, e > 0 ? fmt::format("{:.4f}", e) : "0 (overdamped)");
 }
 
-std::string pairs_report(const Census& n, const Case& c) {
+std::string pairs_report(const Census& n, const AnyLaw& law) {
   std::string text = "pairs\n";
-  if (n.smalls > 0) text += pair_line("small-small", n.small, n.small, c);
+  if (n.smalls > 0) text += pair_line("small-small", n.small, n.small, law);
   if (n.smalls > 0 && n.larges > 0 && n.large > n.small)
-    text += pair_line("small-large", n.small, n.large, c);
-  if (n.larges > 0) text += pair_line("large-large", n.large, n.large, c);
+    text += pair_line("small-large", n.small, n.large, law);
+  if (n.larges > 0) text += pair_line("large-large", n.large, n.large, law);
   return text;
 }
 
 }  // namespace
-
-double restitution(double a, double b, double damping) {
-  const double square = 1 / reduced_mass(mass_of(a), mass_of(b)) - damping * damping / 4;
-  if (square <= 0) return 0;
-  return std::exp(-0.5 * damping * std::numbers::pi / std::sqrt(square));
-}
 
 double expected_memory(double particles, const Case& c) {
   // Measured peaks, docs/performance.md: that of a look at the running packing, that of the picture after it.
@@ -139,13 +138,11 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   out.report +=
       fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
                   n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
-  const double dt = time_step(c).value_or(0);
-  // With friction the tangential mode of the lightest pair is the stiffest: w^2 = 3.5 k_t/m_eff.
-  const double stiffness = c.contact.friction > 0 ? std::max(1.0, 3.5 * c.contact.tangential_stiffness) : 1.0;
-  const double stiffest = std::sqrt(stiffness / reduced_mass(mass_of(n.small), mass_of(n.small)));
+  const AnyLaw law = law_of(protocol_of(c));
+  const double dt = time_step_of(protocol_of(c)).value_or(0);
   out.report += fmt::format("time step {:.6g}, {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n",
-                            dt, dt * stiffest);
-  out.report += pairs_report(n, c);
+                            dt, dt * pair_frequency(law, pair_of(n.small, n.small)));
+  out.report += pairs_report(n, law);
 
   const double dense = 0.64;
   const double edge = std::cbrt(n.volume / dense);

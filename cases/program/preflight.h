@@ -22,8 +22,4 @@ inline constexpr double pace_of_a_core = 1.5e7;
 /// Memory of a run of so many particles at its peak, once they touch, in bytes.
 double expected_memory(double particles, const Case& c);
 
-/// Restitution of a head-on pair of spheres with these diameters: exp(-gamma t/2), t the time of contact
-/// [d_s]; 0 if the pair is overdamped.
-double restitution(double diameter_a, double diameter_b, double damping);
-
 }  // namespace furnas

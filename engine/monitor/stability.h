@@ -7,23 +7,24 @@
 
 namespace furnas {
 
-/// t_c, half a period of the damped oscillation of a pair along its normal: pi (k_n/m_eff - gamma_n^2/4)^(-1/2);
-/// empty if the pair is overdamped [time].
+/// t_c, half a period of the damped oscillation of a pair along its normal: pi (k_n/m_eff -
+/// gamma_n^2/4)^(-1/2); empty if the pair is overdamped [time].
 std::optional<double> collision_time(const AnyLaw& law, const Touch<double>& pair);
 
-/// Restitution of a head-on collision of a pair with linear springs, exp(-gamma_n t_c/2); 0 if it is overdamped.
+/// Restitution of a head-on collision of a pair with linear springs, exp(-gamma_n t_c/2); 0 if it is
+/// overdamped.
 double restitution(const AnyLaw& law, const Touch<double>& pair);
 
 /// Largest frequency of the undamped springs of a lone pair [1/time].
 double pair_frequency(const AnyLaw& law, const Touch<double>& pair);
 
-/// The time step beyond which a lone pair is unstable, its damping included. Velocity Verlet with the force of
-/// x'' = -K x - C x' taken at the start of each step is stable while K dt^2 + 2 C dt < 4 [time].
+/// The time step beyond which a lone pair is unstable, its damping included. Velocity Verlet with the force
+/// of x'' = -K x - C x' taken at the start of each step is stable while K dt^2 + 2 C dt < 4 [time].
 double largest_stable_step(const AnyLaw& law, const Touch<double>& pair);
 
 /// Upper bound of the frequency of a packing's springs times the time step; explicit integration of undamped
-/// springs is stable below 2. The row sum of M^-1 K bounds its eigenvalues (Gershgorin): with rotations in units
-/// of 0.4 R a contact adds max(2 k_n, 7 k_t)/m, exact for two equal spheres that stick.
+/// springs is stable below 2. The row sum of M^-1 K bounds its eigenvalues (Gershgorin): with rotations in
+/// units of 0.4 R a contact adds max(2 k_n, 7 k_t)/m, exact for two equal spheres that stick.
 double stiffest_step(const Packing& packing, const Model& model);
 
 }  // namespace furnas

@@ -83,14 +83,15 @@ Vec3<double> random_place(std::uint64_t seed, std::uint64_t particle, std::uint3
 
 }  // namespace
 
-std::int64_t small_count(const Mixture& m) {
-  return std::llround(static_cast<double>(m.large) * m.size_ratio * m.size_ratio * m.size_ratio *
-                      m.small_fraction / (1 - m.small_fraction));
+double small_count(const Mixture& m) {
+  return std::round(static_cast<double>(m.large) * m.size_ratio * m.size_ratio * m.size_ratio *
+                    m.small_fraction / (1 - m.small_fraction));
 }
 
 Packing dilute_start(const Mixture& m) {
-  if (m.large + small_count(m) > most_particles)
-    throw InputError(std::to_string(m.large + small_count(m)) + " spheres are wanted; at most " +
+  const double all = static_cast<double>(m.large) + small_count(m);
+  if (all > static_cast<double>(most_particles))
+    throw InputError(std::to_string(std::llround(all)) + " spheres are wanted; at most " +
                      std::to_string(most_particles) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);
   const auto small = static_cast<std::size_t>(small_count(m));

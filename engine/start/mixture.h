@@ -15,8 +15,8 @@ struct Mixture {
   std::uint64_t seed = 1;
 };
 
-/// N_s = N_l alpha^3 f_s/(1 - f_s), rounded.
-std::int64_t small_count(const Mixture& mixture);
+/// N_s = N_l alpha^3 f_s/(1 - f_s), rounded to a whole number; a real number, so that it cannot overflow.
+double small_count(const Mixture& mixture);
 
 /// A gas of spheres at rest that do not touch, in a cubic cell; large ones first. Each is put at a random
 /// place, again until it is free (random sequential addition), large ones first. Throws InputError when

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/program/run/scenario.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "io/formats.h"
 #include "tests/cases/arrangement.h"
 #include "tests/cases/runs.h"

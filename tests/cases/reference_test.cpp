@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "cases/program/run/scenario.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "io/lammps_data.h"
 #include "io/lammps_dump.h"
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cases/program/run/recording.h"
-#include "cases/program/run/scenario.h"
 #include "engine/analysis/rattlers.h"
 #include "engine/simulation.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "tests/cases/runs.h"
 
 namespace furnas {

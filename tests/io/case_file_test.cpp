@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "engine/base/require.h"
+#include "engine/monitor/stability.h"
 #include "io/case_check.h"
+#include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
@@ -220,7 +222,7 @@ TEST(CaseFile, OverrideSetsOneKey) {
   EXPECT_EQ(c.compaction.pressure.size(), 2U);
   EXPECT_EQ(c.compute.threads, 2);
   EXPECT_FALSE(c.compute.skin.has_value());
-  EXPECT_EQ(time_step(c), 0.03);
+  EXPECT_EQ(time_step_of(protocol_of(c)), 0.03);
 }
 
 TEST(CaseFile, LaterOfTwoRivalsCounts) {
@@ -263,10 +265,10 @@ TEST(CaseFile, ValidateChecksACaseMadeByHand) {
 }
 
 TEST(CaseFile, CountsAndTimesOfThePaper) {
-  EXPECT_EQ(small_spheres({.size_ratio = 40, .small_fraction = 0.292, .large = 1000}), 26395480.0);
-  const Case c;
-  EXPECT_NEAR(*collision_time(c.contact), 1.62075, 1e-5);
-  EXPECT_NEAR(*time_step(c), 0.032415, 1e-6);
+  EXPECT_EQ(small_count({.size_ratio = 40, .small_fraction = 0.292, .large = 1000}), 26395480.0);
+  const Protocol protocol = protocol_of({});
+  EXPECT_NEAR(*collision_time(law_of(protocol), equal_pair(1)), 1.62075, 1e-5);
+  EXPECT_NEAR(*time_step_of(protocol), 0.032415, 1e-6);
 }
 
 TEST(CaseFile, StartIsFoundBesideTheCaseFile) {

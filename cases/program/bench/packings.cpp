@@ -10,10 +10,10 @@
 
 #include "cases/program/case_templates.h"
 #include "cases/program/packing_source.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/require.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 
 namespace furnas {
 

@@ -7,11 +7,11 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/require.h"
 #include "engine/state/validate.h"
 #include "io/analysis_files.h"
 #include "io/atomic_file.h"
+#include "io/case_protocol.h"
 #include "viz/analysis_charts.h"
 
 namespace furnas {

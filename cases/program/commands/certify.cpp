@@ -6,8 +6,8 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/require.h"
+#include "io/case_protocol.h"
 #include "io/certificate_file.h"
 
 namespace furnas {
@@ -32,7 +32,7 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   terms.freedom = model_of(c, source.packing).barostat.freedom;
   terms.pressure =
       c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1));
-  const RestCriteria rest = rest_criteria_of(c);
+  const RestCriteria rest = protocol_of(c).rest;
   terms.tight_imbalance = rest.force_imbalance;
   terms.imbalance = options.force_imbalance.value_or(std::max(rest.force_imbalance, rest.loose_imbalance));
   terms.stress_error = options.stress_error.value_or(rest.stress_error);

@@ -15,9 +15,9 @@
 
 #include "cases/program/build_info.h"
 #include "cases/program/commands/command.h"
-#include "cases/program/run/scenario.h"
 #include "engine/kernels/kernels.h"
 #include "engine/simulation.h"
+#include "io/case_protocol.h"
 
 namespace furnas {
 namespace {

@@ -11,9 +11,9 @@
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
 #include "cases/program/replication.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "io/case_protocol.h"
 #include "io/frames_pvd.h"
 #include "viz/picture.h"
 

@@ -8,9 +8,9 @@
 #include "cases/program/preflight.h"
 #include "cases/program/run/run_case.h"
 #include "cases/program/run/run_folder.h"
-#include "cases/program/run/scenario.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 
 namespace furnas {
 namespace {
@@ -26,11 +26,11 @@ struct Options {
 
 /// Placing 2.6e7 spheres takes a minute, before there is any progress to show.
 void announce_start(const Case& c, Console console) {
-  constexpr std::int64_t many = 1'000'000;
+  constexpr double many = 1e6;
   if (!c.start.file.empty()) return;
   const Mixture mixture = mixture_of(c);
-  const std::int64_t spheres = mixture.large + small_count(mixture);
-  if (spheres >= many) console.err << fmt::format("places {} spheres at random\n", spheres) << std::flush;
+  const double spheres = static_cast<double>(mixture.large) + small_count(mixture);
+  if (spheres >= many) console.err << fmt::format("places {:.0f} spheres at random\n", spheres) << std::flush;
 }
 
 }  // namespace

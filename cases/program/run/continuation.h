@@ -6,21 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "engine/events/at_rest.h"
+#include "engine/protocol/run.h"
 #include "io/case.h"
 #include "io/checkpoint.h"
 
 namespace furnas {
 
 /// What a stopped run hands to the process that goes on with it, besides its packing and its case.
-struct Continuation {
-  std::vector<RestingState> reached;          ///< pressures at which it had come to rest
-  RestWatch::Saved watch;                     ///< the window of the verdict
-  std::map<std::string, std::string> events;  ///< what each event remembers, by the name of the event
-  std::int64_t replaced{};                    ///< times an event had changed the packing
-  std::int64_t lists_built{};                 ///< neighbour lists
-  double wall_seconds{};                      ///< of all its processes
-  bool jammed{};                              ///< the verdict is found; nothing is left but to tell it
+struct Continuation : RunState {
+  double wall_seconds{};  ///< of all its processes
+  bool jammed{};          ///< the verdict is found; nothing is left but to tell it
 };
 
 /// The continuation as it stands in a checkpoint, with the version of the program that wrote it.

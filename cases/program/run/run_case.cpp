@@ -7,21 +7,17 @@
 #include <ostream>
 
 #include "cases/program/build_info.h"
+#include "cases/program/run/onlookers.h"
 #include "cases/program/run/progress.h"
 #include "cases/program/run/recording.h"
-#include "cases/program/run/scenario.h"
-#include "cases/program/run/schedule.h"
 #include "cases/program/run/signals.h"
-#include "engine/base/parallel.h"
 #include "engine/base/require.h"
-#include "engine/events/flip.h"
-#include "engine/events/limits.h"
-#include "engine/events/quench.h"
-#include "engine/monitor/faults.h"
+#include "engine/protocol/run.h"
 #include "engine/state/fingerprint.h"
 #include "engine/state/validate.h"
 #include "io/atomic_file.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "io/manifest.h"
 #include "io/outputs.h"
 #include "viz/picture.h"
@@ -30,13 +26,6 @@ namespace furnas {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-template <class E>
-std::int64_t count_of(const Events& events) {
-  for (const auto& event : events)
-    if (const auto* found = dynamic_cast<const E*>(event.get())) return found->count();
-  return 0;
-}
 
 std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest, const Case& c) {
   switch (verdict) {
@@ -54,13 +43,6 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
   const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
   return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
 }
-
-/// How a run ended, and what broke it if something did.
-struct Outcome {
-  Verdict verdict;
-  std::string failure;
-  bool good = true;  ///< the state may be saved
-};
 
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
   if (c.output.picture == "none") return;
@@ -82,14 +64,12 @@ class Run {
   ExitCode go();
 
  private:
+  Onlookers onlookers();
   void take_up();
-  Outcome outcome();
-  Outcome compact_on();
   Result result_of(const Outcome& outcome);
   void write_files(const Packing& packing, const Outcome& outcome, const Result& result);
   /// All that the run needs to go on from here.
   CheckpointView whole();
-  std::int64_t lists_built() const;
   double wall_seconds() const;
 
   RunOrder order_;
@@ -99,19 +79,19 @@ class Run {
   std::string case_text_;
   Requests requests_;
   SignalGuard guard_{requests_};
-  std::unique_ptr<Simulation> simulation_;
   const std::int64_t first_step_;  ///< where this process begins
-  Observation now_;
-  RestWatch watch_;
-  std::vector<RestingState> reached_;
+  std::unique_ptr<ProtocolRun> run_;
   Checkpoints checkpoints_;
-  Events events_;
+  Progress* progress_ = nullptr;  ///< among the events of the run
   bool jammed_;
 };
 
-int threads_of(const RunOrder& order) {
+std::unique_ptr<ProtocolRun> protocol_run(const RunOrder& order) {
+  const Protocol protocol = protocol_of(order.resolved_case);
   const auto& asked = order.resolved_case.compute.threads;
-  return asked ? *asked : threads_for(order.start.size());
+  const int threads = asked ? *asked : threads_for(order.start.size());
+  if (order.checkpoint.empty()) return std::make_unique<ProtocolRun>(protocol, order.start, threads);
+  return std::make_unique<ProtocolRun>(protocol, order.start, threads, order.past);
 }
 
 Run::Run(RunOrder order, Console console)
@@ -120,46 +100,38 @@ Run::Run(RunOrder order, Console console)
       case_(order_.resolved_case),
       console_(console),
       case_text_(resolved_toml(case_)),
-      simulation_(make_simulation(model_of(case_, order_.start), order_.start, threads_of(order_))),
       first_step_(order_.start.step),
-      now_(*simulation_, backbone_threshold_of(case_), order_.past.replaced),
-      watch_(rest_criteria_of(case_)),
-      reached_(order_.past.reached),
+      run_(protocol_run(order_)),
       checkpoints_(folder_, order_.checkpoint, order_.checkpoint_seconds),
       jammed_(order_.past.jammed) {
   order_.start = {};  // the simulation has its own; there is no room for both
-  watch_.restore(order_.past.watch);
-  if (!reached_.empty()) simulation_->set_pressure(case_.compaction.pressure.at(reached_.size()));
-  RunContext context{case_,
-                     folder_,
-                     [this] { checkpoints_.write(whole()); },
-                     first_step_,
-                     {},
-                     console.err,
-                     isatty(STDERR_FILENO) == 1,
-                     requests_,
-                     watch_,
-                     checkpoints_,
-                     reached_};
+}
+
+Onlookers Run::onlookers() {
+  RunContext context{.resolved_case = case_,
+                     .folder = folder_,
+                     .save = [this] { checkpoints_.write(whole()); },
+                     .first_step = first_step_,
+                     .deadline = {},
+                     .out = console_.err,
+                     .live = isatty(STDERR_FILENO) == 1,
+                     .requests = requests_,
+                     .watch = run_->watch(),
+                     .checkpoints = checkpoints_};
   if (order_.walltime) context.deadline = order_.begin + *order_.walltime;
-  events_ = schedule(context);
+  return onlookers_of(context);
 }
 
 /// Puts the files of the folder where the run stands.
 void Run::take_up() {
-  for (const auto& event : events_) {
-    const auto saved = order_.past.events.find(event->name());
-    event->restore(saved == order_.past.events.end() ? std::string() : saved->second);
-  }
+  Onlookers onlookers = this->onlookers();
+  for (const auto& event : onlookers.after_verdict)
+    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress_ = progress;
+  run_->begin(std::move(onlookers));
   write_file(folder_ / "case.resolved.toml", case_text_);
   // Whatever happens, there is a good state to go back to.
   if (order_.checkpoint.empty()) checkpoints_.write(whole());
   order_.folder->keep();
-}
-
-std::int64_t Run::lists_built() const {
-  // The list with which a process begins is none that the run would have built.
-  return order_.past.lists_built + simulation_->builds() - (order_.checkpoint.empty() ? 0 : 1);
 }
 
 double Run::wall_seconds() const {
@@ -167,59 +139,35 @@ double Run::wall_seconds() const {
 }
 
 CheckpointView Run::whole() {
-  Continuation c{reached_, watch_.saved(), {}, now_.replaced(), lists_built(), wall_seconds(), jammed_};
-  for (const auto& event : events_)
-    if (std::string saved = event->saved(); !saved.empty()) c.events[event->name()] = std::move(saved);
-  return {now_.packing(), case_text_, to_extras(c)};
-}
-
-Outcome Run::compact_on() {
-  const Verdict verdict = compact(now_, events_, &requests_.attention);
-  if (verdict == Verdict::diverged) return {verdict, now_.fault(), false};
-  const std::string fault = fault_of(now_.packing(), simulation_->model());
-  if (fault.empty()) return {verdict, {}};
-  // Whether a fault ends a run, the Monitor says at its own steps, not whoever stops it in between.
-  const bool stopped =
-      verdict == Verdict::interrupted || (verdict == Verdict::budget && now_.step() < case_.stop.steps);
-  if (stopped) return {verdict, {}, false};
-  return {Verdict::diverged, fault, false};
-}
-
-/// Runs to the end. Numbers that leave their range are an outcome, too, seen in a step or after it.
-Outcome Run::outcome() {
-  if (jammed_) return {Verdict::jammed, {}};
-  try {
-    return compact_on();
-  } catch (const NumericalFailure& error) {
-    return {Verdict::diverged, fmt::format("{}, at step {}", error.what(), now_.step()), false};
-  }
+  return {run_->now().packing(), case_text_, to_extras({run_->state(), wall_seconds(), jammed_})};
 }
 
 Result Run::result_of(const Outcome& outcome) {
+  Observation& now = run_->now();
   Result result;
   result.verdict = outcome.verdict;
   result.version = build_info().version;
-  result.measures = now_.measures();
-  result.measures.rebuilds = lists_built();
-  result.rest = watch_.report();
-  result.reason = outcome.failure.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_)
-                                          : outcome.failure;
-  result.quenches = count_of<Quench>(events_);
-  result.flips = count_of<Flip>(events_);
-  result.state_hash = state_hash(now_.packing());
-  for (Species s : now_.packing().species) ++(s == Species::large ? result.large : result.small);
-  const auto& radii = now_.packing().radius;
+  result.measures = now.measures();
+  result.measures.rebuilds = run_->lists_built();
+  result.rest = run_->watch().report();
+  result.reason =
+      outcome.fault.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_) : outcome.fault;
+  result.quenches = run_->quenches();
+  result.flips = run_->flips();
+  result.state_hash = state_hash(now.packing());
+  for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);
+  const auto& radii = now.packing().radius;
   result.largest_diameter = 2 * *std::max_element(radii.begin(), radii.end());
-  const Model& model = simulation_->model();
+  const Model& model = run_->simulation().model();
   result.time_step = model.time_step;
   result.pressure = model.barostat.pressure;
   result.inertia = model.barostat.inertia;
-  result.threads = simulation_->threads();
-  result.steps_here = now_.step();
+  result.threads = run_->simulation().threads();
+  result.steps_here = now.step();
   result.wall_seconds = wall_seconds();
-  result.reached = reached_;
+  result.reached = run_->reached();
   if (outcome.verdict == Verdict::jammed)
-    result.reached.push_back({result.pressure, result.measures.phi, now_.step()});
+    result.reached.push_back({result.pressure, result.measures.phi, now.step()});
   return result;
 }
 
@@ -234,15 +182,13 @@ void Run::write_files(const Packing& packing, const Outcome& outcome, const Resu
 ExitCode Run::go() {
   if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
   take_up();
-  const Outcome end = outcome();
-  for (const auto& event : events_)
-    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress->finish();
-  const bool moved = order_.checkpoint.empty() || now_.step() > first_step_;
+  const Outcome end = jammed_ ? Outcome{Verdict::jammed, {}} : run_->go(&requests_.attention);
+  progress_->finish();
+  const bool moved = order_.checkpoint.empty() || run_->now().step() > first_step_;
   jammed_ = end.verdict == Verdict::jammed;
-  if (end.good && moved) checkpoints_.write(whole());
+  if (end.is_sound && moved) checkpoints_.write(whole());
   const Result result = result_of(end);
-  const Packing packing = now_.take_packing();
-  simulation_.reset();  // what is written needs as much memory
+  const Packing packing = run_->take_packing();  // what is written needs as much memory as the simulation had
   write_files(packing, end, result);
   console_.out << summary(result, case_, folder_) << std::flush;
   return exit_code_of(end.verdict);

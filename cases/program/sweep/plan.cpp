@@ -11,10 +11,10 @@
 #include "cases/program/build_info.h"
 #include "cases/program/preflight.h"
 #include "cases/program/run/recording.h"
-#include "cases/program/run/scenario.h"
 #include "engine/base/require.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
@@ -36,7 +36,7 @@ double expected_steps(const Case& c, double particles) {
 
 double particles_of(const Case& c) {
   if (!c.start.file.empty()) return static_cast<double>(start_of(c).size());
-  return static_cast<double>(c.mixture.large) + small_spheres(c.mixture);
+  return static_cast<double>(c.mixture.large) + small_count(mixture_of(c));
 }
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "cases/program/run/run_case.h"
-#include "cases/program/run/scenario.h"
+#include "io/case_protocol.h"
 #include "tests/io/packings.h"
 
 namespace furnas {

@@ -46,12 +46,14 @@ TEST(Loading, RefusesWhatIsNoNumberByTheParticle) {
     for (auto list : {&Packing::velocity, &Packing::spin, &Packing::force, &Packing::torque}) {
       Packing p = gas();
       (p.*list)[41].y = bad;
-      EXPECT_THAT(refusal(p),
-                  HasSubstr("particle 42 has a velocity, spin, force or torque that is not a number"));
+      EXPECT_THAT(refusal(p), HasSubstr("of particle 42 is not finite"));
     }
   }
   Packing p = gas();
   p.cell.edges.xz = nan;
+  EXPECT_THAT(refusal(p), HasSubstr("an edge of the cell"));
+  p = gas();
+  p.cell.edges.zz = 0;
   EXPECT_THAT(refusal(p), HasSubstr("the cell has no volume"));
   p = gas();
   p.fraction[7] = p.fraction[3];

@@ -8,7 +8,7 @@
 
 #include "cases/program/run/recording.h"
 #include "cases/program/run/signals.h"
-#include "engine/events/at_rest.h"
+#include "engine/protocol/schedule.h"
 #include "io/case.h"
 
 namespace furnas {
@@ -25,10 +25,9 @@ struct RunContext {
   Requests& requests;
   RestWatch& watch;
   Checkpoints& checkpoints;
-  std::vector<RestingState>& reached;
 };
 
-/// All that can happen in a run, in the order in which events of one step happen.
-Events schedule(RunContext& run);
+/// What the program adds to the events of the protocol: files, progress, the wall time and signals.
+Onlookers onlookers_of(RunContext& run);
 
 }  // namespace furnas

@@ -1,16 +1,10 @@
-#include "cases/program/run/schedule.h"
+#include "cases/program/run/onlookers.h"
 
 #include "cases/program/run/progress.h"
-#include "engine/events/flip.h"
 #include "engine/events/limits.h"
-#include "engine/events/monitor.h"
-#include "engine/events/quench.h"
-#include "engine/events/renew_order.h"
 
 namespace furnas {
 namespace {
-
-constexpr std::int64_t order_period = 10'000;
 
 /// Ends the run before the deadline, as early as saving it takes.
 class WallTime final : public Event {
@@ -50,34 +44,22 @@ class WallTime final : public Event {
   Alarm alarm_;
 };
 
-std::vector<double> later_pressures(const Case& c, const RunContext& run) {
-  return {c.compaction.pressure.begin() + 1 + static_cast<std::ptrdiff_t>(run.reached.size()),
-          c.compaction.pressure.end()};
-}
-
 }  // namespace
 
-Events schedule(RunContext& run) {
-  Events events;
-  const auto add = [&](std::unique_ptr<Event> event) { events.push_back(std::move(event)); };
+Onlookers onlookers_of(RunContext& run) {
   const Case& c = run.resolved_case;
-  const bool can_rest = c.compaction.cell != "fixed";
-
-  add(std::make_unique<Monitor>());
-  add(std::make_unique<Flip>());
-  add(std::make_unique<RenewOrder>(order_period));
-  add(std::make_unique<RecordHistory>(run.folder, c.output.history_every));
-  if (c.output.snapshot_every > 0) add(std::make_unique<RecordFrame>(run.folder, c.output.snapshot_every));
-  if (can_rest) add(std::make_unique<NextPressure>(run.watch, later_pressures(c, run), run.reached));
-  if (can_rest) add(std::make_unique<AtRest>(run.watch));
-  if (can_rest && c.stop.criterion == "rest") add(std::make_unique<Quench>(run.watch));
-  add(std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
-  add(std::make_unique<SaveCheckpoint>(run.save, c.output.checkpoint_minutes, run.requests.save,
-                                       run.requests.attention));
-  add(std::make_unique<Budget>(c.stop.steps));
-  if (run.deadline) add(std::make_unique<WallTime>(*run.deadline, run.checkpoints, run.requests.attention));
-  add(std::make_unique<Interrupted>(run.requests.stop));
-  return events;
+  Onlookers o;
+  o.before_verdict.push_back(std::make_unique<RecordHistory>(run.folder, c.output.history_every));
+  if (c.output.snapshot_every > 0)
+    o.before_verdict.push_back(std::make_unique<RecordFrame>(run.folder, c.output.snapshot_every));
+  o.after_verdict.push_back(
+      std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
+  o.after_verdict.push_back(std::make_unique<SaveCheckpoint>(run.save, c.output.checkpoint_minutes,
+                                                             run.requests.save, run.requests.attention));
+  if (run.deadline)
+    o.limits.push_back(std::make_unique<WallTime>(*run.deadline, run.checkpoints, run.requests.attention));
+  o.limits.push_back(std::make_unique<Interrupted>(run.requests.stop));
+  return o;
 }
 
 }  // namespace furnas

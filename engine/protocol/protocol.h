@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/events/at_rest.h"
+#include "engine/model.h"
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// How a gas of spheres is compressed until it jams: all numbers of a run but its spheres. The defaults are
+/// those of a case file; docs/case-file.md tells the range of each.
+struct Protocol {
+  /// Name of the contact law. With a friction of 0 it stands for the law without spin and history.
+  std::string law = HookeSynchronized::name;
+  HookeConstants contact{.friction = 0.3};
+  bool affine_velocity = false;  ///< contacts feel the cell's flow, too
+
+  std::vector<double> pressures{1e-4};        ///< p_a, one after the other [k_n/d_s]
+  CellFreedom cell = CellFreedom::triclinic;  ///< which deformations the cell may make
+  double inertia = 1;                         ///< beta, W in units of M L_ref^2/12
+  std::optional<double> inertia_absolute;     ///< W itself, instead of `inertia` [rho d_s^5]
+  double drag = 0;                            ///< g, damps the strain rate of the cell [1/time]
+  double time_step = 0.02;                    ///< in collision times t_c of two spheres of size d_s
+  std::optional<double> time_step_absolute;   ///< instead of `time_step` [time]
+
+  RestCriteria rest;                ///< when the packing counts as jammed
+  std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
+
+  Precision precision = Precision::mixed;
+  std::optional<double> skin;  ///< of the neighbour list; chosen by the program if absent [d_s]
+};
+
+/// The contact law with its constants. Throws InputError for a name that is no law's.
+AnyLaw law_of(const Protocol& protocol);
+
+/// z_min: live contacts below which a particle is no part of the backbone. 4 without friction (d + 1); 2
+/// with, because a bridge of two contacts carries force.
+int backbone_threshold(const AnyLaw& law);
+
+/// Two spheres of this diameter [d_s] that just touch.
+Touch<double> equal_pair(double diameter);
+
+/// The time step; empty if it is counted in collision times and two spheres of size d_s are overdamped
+/// [time].
+std::optional<double> time_step_of(const Protocol& protocol);
+
+/// W = beta M L_ref^2/12 with L_ref^3 = V_s/0.64: the inertia of a cube of the packing itself, M and V_s
+/// being mass and volume of all spheres [rho d_s^5].
+double cell_inertia(double beta, double mass, double sphere_volume);
+
+/// What is simulated when `start` is compressed: the law and its constants, the bath at the first pressure,
+/// the time step. Throws InputError where the protocol gives no time step.
+Model model_of(const Protocol& protocol, const Packing& start);
+
+}  // namespace furnas

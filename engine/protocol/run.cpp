@@ -1,0 +1,110 @@
+#include "engine/protocol/run.h"
+
+#include <utility>
+
+#include "engine/base/require.h"
+#include "engine/events/flip.h"
+#include "engine/events/quench.h"
+#include "engine/monitor/faults.h"
+
+namespace furnas {
+namespace {
+
+template <class E>
+std::int64_t count_of(const Events& events) {
+  for (const auto& event : events)
+    if (const auto* found = dynamic_cast<const E*>(event.get())) return found->count();
+  return 0;
+}
+
+}  // namespace
+
+ProtocolRun::ProtocolRun(const Protocol& protocol, const Packing& start, int threads)
+    : ProtocolRun(protocol, start, threads, {}) {
+  goes_on_ = false;
+}
+
+ProtocolRun::ProtocolRun(const Protocol& protocol, const Packing& reached, int threads, const RunState& past)
+    : protocol_(protocol),
+      simulation_(make_simulation(model_of(protocol, reached), reached, threads)),
+      now_(*simulation_, backbone_threshold(simulation_->model().law), past.replaced),
+      watch_(protocol.rest),
+      reached_(past.reached),
+      past_(past),
+      goes_on_(true) {
+  watch_.restore(past.watch);
+  if (!reached_.empty()) simulation_->set_pressure(protocol.pressures.at(reached_.size()));
+}
+
+void ProtocolRun::begin(Onlookers onlookers) {
+  require(events_.empty(), "a run begins once");
+  const auto next = static_cast<std::ptrdiff_t>(1 + reached_.size());
+  events_ = schedule(protocol_, {protocol_.pressures.begin() + next, protocol_.pressures.end()}, watch_,
+                     reached_, std::move(onlookers));
+  for (const auto& event : events_) {
+    const auto saved = past_.events.find(event->name());
+    event->restore(saved == past_.events.end() ? std::string() : saved->second);
+  }
+}
+
+Outcome ProtocolRun::compact_on(std::atomic<bool>* attention) {
+  const Verdict verdict = compact(now_, events_, attention);
+  if (verdict == Verdict::diverged) return {verdict, now_.fault(), false};
+  const std::string fault = fault_of(now_.packing(), simulation_->model());
+  if (fault.empty()) return {verdict, {}};
+  // Whether a fault ends a run, the Monitor says at its own steps, not whoever stops it in between.
+  const bool stopped =
+      verdict == Verdict::interrupted || (verdict == Verdict::budget && now_.step() < protocol_.steps);
+  if (stopped) return {verdict, {}, false};
+  return {Verdict::diverged, fault, false};
+}
+
+/// Numbers that leave their range are an outcome, too, seen in a step or after it.
+Outcome ProtocolRun::go(std::atomic<bool>* attention) {
+  try {
+    return compact_on(attention);
+  } catch (const NumericalFailure& error) {
+    return {Verdict::diverged, std::string(error.what()) + ", at step " + std::to_string(now_.step()), false};
+  }
+}
+
+RunState ProtocolRun::state() const {
+  RunState state{reached_, watch_.saved(), {}, now_.replaced(), lists_built()};
+  for (const auto& event : events_)
+    if (std::string saved = event->saved(); !saved.empty()) state.events[event->name()] = std::move(saved);
+  return state;
+}
+
+std::int64_t ProtocolRun::lists_built() const {
+  // The list with which a run goes on is none that it would have built.
+  return past_.lists_built + simulation_->builds() - (goes_on_ ? 1 : 0);
+}
+
+std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_); }
+std::int64_t ProtocolRun::flips() const { return count_of<Flip>(events_); }
+
+Packing ProtocolRun::take_packing() {
+  Packing packing = now_.take_packing();
+  events_.clear();
+  simulation_.reset();
+  return packing;
+}
+
+std::optional<double> Jam::phi_J() const {
+  if (verdict != Verdict::jammed) return {};
+  return measures.phi;
+}
+
+Jam jam(const Packing& start, const Protocol& protocol, int threads) {
+  ProtocolRun run(protocol, start, threads > 0 ? threads : threads_for(start.size()));
+  run.begin();
+  Outcome outcome = run.go();
+  Jam end{outcome.verdict,      std::move(outcome.fault), {},
+          run.now().measures(), run.watch().report(),     run.reached()};
+  if (end.verdict == Verdict::jammed)
+    end.reached.push_back({run.simulation().model().barostat.pressure, end.measures.phi, run.now().step()});
+  end.packing = run.take_packing();
+  return end;
+}
+
+}  // namespace furnas

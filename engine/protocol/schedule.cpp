@@ -1,0 +1,38 @@
+#include "engine/protocol/schedule.h"
+
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "engine/events/flip.h"
+#include "engine/events/limits.h"
+#include "engine/events/monitor.h"
+#include "engine/events/quench.h"
+#include "engine/events/renew_order.h"
+
+namespace furnas {
+
+Events schedule(const Protocol& protocol, std::vector<double> later_pressures, RestWatch& watch,
+                std::vector<RestingState>& reached, Onlookers onlookers) {
+  constexpr std::int64_t order_period = 10'000;  // [steps]
+  const bool can_rest = protocol.cell != CellFreedom::fixed;
+  const bool quenches = can_rest && !protocol.rest.kinetic_energy_alone;
+
+  Events events;
+  const auto add = [&](std::unique_ptr<Event> event) { events.push_back(std::move(event)); };
+  const auto add_all = [&](Events& some) { std::move(some.begin(), some.end(), std::back_inserter(events)); };
+
+  add(std::make_unique<Monitor>());
+  add(std::make_unique<Flip>());
+  add(std::make_unique<RenewOrder>(order_period));
+  add_all(onlookers.before_verdict);
+  if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later_pressures), reached));
+  if (can_rest) add(std::make_unique<AtRest>(watch));
+  if (quenches) add(std::make_unique<Quench>(watch));
+  add_all(onlookers.after_verdict);
+  add(std::make_unique<Budget>(protocol.steps));
+  add_all(onlookers.limits);
+  return events;
+}
+
+}  // namespace furnas

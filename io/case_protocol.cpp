@@ -1,0 +1,69 @@
+#include "io/case_protocol.h"
+
+#include "engine/base/require.h"
+#include "io/formats.h"
+
+namespace furnas {
+namespace {
+
+CellFreedom freedom_of(const std::string& cell) {
+  if (cell == "triclinic") return CellFreedom::triclinic;
+  if (cell == "orthorhombic") return CellFreedom::orthorhombic;
+  if (cell == "cubic") return CellFreedom::cubic;
+  return CellFreedom::fixed;
+}
+
+RestCriteria rest_of(const Case::Stop& stop) {
+  return {.kinetic_energy_alone = stop.criterion == "paper",
+          .stress_error = stop.stress_error,
+          .force_imbalance = stop.force_imbalance,
+          .kinetic_energy = stop.kinetic_energy,
+          .strain_drift = stop.strain_drift,
+          .window = stop.window};
+}
+
+}  // namespace
+
+Mixture mixture_of(const Case& c) {
+  return {.size_ratio = c.mixture.size_ratio,
+          .small_fraction = c.mixture.small_fraction,
+          .large = c.mixture.large,
+          .start_fraction = c.mixture.start_fraction,
+          .seed = static_cast<std::uint64_t>(c.mixture.seed)};
+}
+
+Protocol protocol_of(const Case& c) {
+  return {.law = c.contact.law,
+          .contact = {.tangential_stiffness = c.contact.tangential_stiffness,
+                      .normal_damping = c.contact.normal_damping,
+                      .tangential_damping = c.contact.tangential_damping,
+                      .friction = c.contact.friction,
+                      .attraction = c.contact.attraction,
+                      .winding = c.contact.winding},
+          .affine_velocity = c.contact.velocity == "total",
+          .pressures = c.compaction.pressure,
+          .cell = freedom_of(c.compaction.cell),
+          .inertia = c.compaction.inertia,
+          .inertia_absolute = c.compaction.inertia_absolute,
+          .drag = c.compaction.drag,
+          .time_step = c.compaction.time_step,
+          .time_step_absolute = c.compaction.time_step_absolute,
+          .rest = rest_of(c.stop),
+          .steps = c.stop.steps,
+          .precision = c.compute.precision == "mixed" ? Precision::mixed : Precision::full,
+          .skin = c.compute.skin};
+}
+
+Packing start_of(const Case& c) {
+  if (c.start.file.empty()) return dilute_start(mixture_of(c));
+  Packing packing = read_packing(c.start.file);
+  packing.step = 0;  // the clock of a run begins with it
+  packing.time = 0;
+  return packing;
+}
+
+int backbone_threshold_of(const Case& c) { return backbone_threshold(law_of(protocol_of(c))); }
+
+Model model_of(const Case& c, const Packing& start) { return model_of(protocol_of(c), start); }
+
+}  // namespace furnas
