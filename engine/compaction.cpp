@@ -46,7 +46,7 @@ const Measures& Observation::measures() {
   refresh();
   if (!measures_) {
     measures_ = measure(packing(), backbone_threshold_);
-    measures_->rebuilds = simulation_.builds();
+    measures_->rebuilds = simulation_.neighbours().builds;
     measures_->energy = energy(packing(), simulation_.model().law);
     measures_->ledger = packing().ledger;
   }
@@ -61,6 +61,13 @@ void Observation::replace(const Packing& packing) {
   } catch (const InputError& error) {
     throw NumericalFailure(error.what());  // nobody put it in: the run came to it
   }
+}
+
+void Observation::stop_all_motion() {
+  const std::vector<Vec3<double>> none(packing().size());
+  simulation_.set_motion(none, none, {});
+  taken_at_ = -1;
+  ++replaced_;
 }
 
 std::int64_t saved_count(const std::string& saved) {

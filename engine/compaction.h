@@ -35,7 +35,9 @@ class Observation {
 
   /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
   void replace(const Packing& packing);
-  /// How often that was done since the run began.
+  /// Takes out all motion of the particles and of the cell.
+  void stop_all_motion();
+  /// How often an event has changed the packing so since the run began.
   std::int64_t replaced() const { return replaced_; }
 
   /// The verdict of an event that has seen what must not be, with a sentence that says what.

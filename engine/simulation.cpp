@@ -62,14 +62,32 @@ class SimulationOf final : public Simulation {
   std::int64_t step() const override { return state_.step; }
   const Cell& cell() const override { return state_.cell; }
   const Model& model() const override { return model_; }
+  void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
+                  const Triangle& rate) override;
+  void set_time_step(double time_step) override {
+    clock_ = {state_.step, clock_.at(state_.step, model_.time_step)};
+    model_.time_step = time_step;
+  }
   void set_pressure(double pressure) override { model_.barostat.pressure = pressure; }
   int threads() const override { return workers_.threads(); }
-  std::int64_t builds() const override { return state_.pairs.builds; }
-  std::size_t pairs() const override { return state_.pairs.rows(); }
-  std::size_t inner_pairs() const override { return inner_rows(state_.pairs, work_.inner); }
+  NeighbourCounts neighbours() const override {
+    return {.builds = state_.pairs.builds,
+            .pairs = state_.pairs.rows(),
+            .inner_pairs = inner_rows(state_.pairs, work_.inner)};
+  }
   const StepGraph& graph() const override { return step_; }
 
  private:
+  /// The time of an earlier step, from which steps of one length go on.
+  struct Clock {
+    std::int64_t step{};
+    double time{};  ///< [time]
+    double at(std::int64_t later, double time_step) const {
+      return time + static_cast<double>(later - step) * time_step;
+    }
+  };
+
+  static Vec3<Real> narrow(const Vec3<double>& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
   void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
   void restore_contacts(const Packing& packing);
@@ -80,6 +98,7 @@ class SimulationOf final : public Simulation {
   Workers workers_;
   bool as_graph_;
   std::size_t count_{};
+  Clock clock_;
   State<Numerics> state_;
   StepWork work_;
   StepGraph step_;
@@ -101,6 +120,8 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
   count_ = p.size();
   state_ = {};
   state_.step = p.step;
+  clock_ = {};
+  if (p.time != clock_.at(p.step, model_.time_step)) clock_ = {p.step, p.time};
   state_.cell = p.cell;
   state_.stress = p.stress;
   state_.ledger = p.ledger;
@@ -113,7 +134,6 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
   state_.image.reserve(count_);
   for (std::uint32_t k : state_.id) {
     Particle<Real, spins> particle{};
-    const auto narrow = [](const Vec3<double>& v) { return Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}; };
     particle.position = p.fraction[k];
     particle.velocity = narrow(p.velocity[k]);
     particle.radius = Real(p.radius[k]);
@@ -195,6 +215,28 @@ void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
 }
 
 template <class Numerics>
+void SimulationOf<Numerics>::set_motion(std::span<const Vec3<double>> velocity,
+                                        std::span<const Vec3<double>> spin, const Triangle& rate) {
+  require(velocity.size() == count_ && spin.size() == count_, "a velocity and a spin for each particle");
+  std::vector<std::uint32_t> place(count_);
+  for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
+  const auto kinetic = [&](std::uint32_t n) {
+    const auto& particle = state_.particles[n];
+    Vec3<double> turning{};
+    if constexpr (spins) turning = wide(particle.spin);
+    return kinetic_energy(state_.mass[n], particle.radius, wide(particle.velocity), turning);
+  };
+  for (std::size_t k = 0; k < count_; ++k) {
+    auto& particle = state_.particles[place[k]];
+    state_.ledger.quenched += kinetic(place[k]);
+    particle.velocity = narrow(velocity[k]);
+    if constexpr (spins) particle.spin = narrow(spin[k]);
+    state_.ledger.quenched -= kinetic(place[k]);
+  }
+  state_.cell.rate = rate;
+}
+
+template <class Numerics>
 std::vector<Contact> SimulationOf<Numerics>::contacts() const {
   const PairList& list = state_.pairs;
   std::vector<Contact> contacts;
@@ -242,7 +284,7 @@ template <class Numerics>
 Packing SimulationOf<Numerics>::packing() const {
   Packing p;
   p.step = state_.step;
-  p.time = static_cast<double>(state_.step) * model_.time_step;
+  p.time = clock_.at(state_.step, model_.time_step);
   p.cell = state_.cell;
   p.stress = state_.stress;
   p.ledger = state_.ledger;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "engine/graph/step_graph.h"
 #include "engine/model.h"
@@ -10,40 +11,59 @@
 
 namespace furnas {
 
-/// A packing in motion: owns the state and the step. Law and precision are chosen when it is made and
-/// hidden behind this class.
+/// How many pairs a step looks at.
+struct NeighbourCounts {
+  std::int64_t builds{};      ///< neighbour lists built so far
+  std::size_t pairs{};        ///< pairs in the neighbour list
+  std::size_t inner_pairs{};  ///< pairs that most steps look at: those of the inner list, or all without one
+};
+
+/// A packing in motion: owns the state and the step. Law and precision are chosen when it is made and hidden
+/// behind this class.
+///
+/// One thread at a time may call it, and calls no member while advance() runs; advance() uses threads of its
+/// own. Several simulations may run side by side. Costs are in passes over particles and contacts; a step is
+/// about two.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Takes up to `steps` timesteps; fewer if `stop` becomes true, which is looked at after each.
+  /// Takes up to `steps` timesteps; fewer if `stop` becomes true, which is looked at after each; any thread
+  /// may set it. Throws NumericalFailure if the cell collapses.
   virtual void advance(std::int64_t steps, const std::atomic<bool>* stop = nullptr) = 0;
 
-  /// The packing as it is now, with its contacts.
+  /// The packing as it is now, with its contacts: a copy, made in one pass, of some 300 bytes a particle and
+  /// 160 a contact.
   virtual Packing packing() const = 0;
 
   /// Puts another packing in the place of this one. One with an `order` continues where it was, with its
   /// forces and histories; one without is a start: its forces are taken from the positions, without history.
+  /// Sorts the particles if they have no order, and builds a neighbour list: as long as some ten steps.
+  /// Throws InputError for a packing that is none.
   virtual void load(const Packing& packing) = 0;
 
-  virtual std::int64_t step() const = 0;
-  virtual const Cell& cell() const = 0;
-  virtual const Model& model() const = 0;
+  /// Puts other velocities [d_s/time] and spins [1/time], in order of id, and another strain rate of the cell
+  /// [1/time] in the place of the present ones. Positions, forces, histories, stress and neighbour list stay.
+  /// The ledger books as quenched what kinetic energy this takes out of the particles. One pass over the
+  /// particles.
+  virtual void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
+                          const Triangle& rate) = 0;
+
+  /// Steps are as long as this from now on [time]; the time of the packing goes on from where it is.
+  virtual void set_time_step(double time_step) = 0;
 
   /// Changes the pressure of the bath [k_n/d_s].
   virtual void set_pressure(double pressure) = 0;
 
+  virtual std::int64_t step() const = 0;   ///< steps since the start
+  virtual const Cell& cell() const = 0;    ///< as it is now
+  virtual const Model& model() const = 0;  ///< with the present pressure and time step
+
   /// Threads that it runs on.
   virtual int threads() const = 0;
 
-  /// Neighbour lists built so far.
-  virtual std::int64_t builds() const = 0;
-
-  /// Candidate pairs in the list.
-  virtual std::size_t pairs() const = 0;
-
-  /// Pairs of the list that most steps look at: those of the inner list, or all where there is none.
-  virtual std::size_t inner_pairs() const = 0;
+  /// How many pairs a step looks at now.
+  virtual NeighbourCounts neighbours() const = 0;
 
   /// The step as a graph.
   virtual const StepGraph& graph() const = 0;

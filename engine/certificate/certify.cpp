@@ -20,7 +20,7 @@ double real(std::int64_t count) { return static_cast<double>(count); }
 /// What carries: every overlap is a spring, however weak. Without friction a sphere is held by four, which
 /// must enclose it; with friction by two that stick.
 CoreRule core_rule(const Springs& springs) {
-  return {.force_share = 0, .least_contacts = springs.friction > 0 ? 2 : 4, .by_constraints = true};
+  return {.force_share = 0, .least_contacts = springs.friction() > 0 ? 2 : 4, .by_constraints = true};
 }
 
 Part backbone_part(const ContactNetwork& network, const std::vector<Species>& species,

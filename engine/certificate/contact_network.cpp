@@ -46,8 +46,14 @@ StaticContact at_rest(const Packing& p, const Springs& springs, const Overlap& o
   c.i = o.i, c.j = o.j, c.cells = o.cells, c.branch = o.branch;
   c.distance = norm(o.branch);
   c.normal = o.branch * (1 / c.distance);
-  c.normal_force = p.radius[o.i] + p.radius[o.j] - c.distance;
-  const double shortening = springs.arms_meet ? 0.5 * c.normal_force : 0;
+  const double overlap = p.radius[o.i] + p.radius[o.j] - c.distance;
+  const ContactStiffness stiffness = stiffness_of(
+      springs.law,
+      resting_touch(p.radius[o.i], p.radius[o.j], reduced_mass(p.mass[o.i], p.mass[o.j]), overlap));
+  c.normal_force = stiffness.push;
+  c.normal_stiffness = stiffness.normal;
+  c.tangential_stiffness = stiffness.tangential;
+  const double shortening = arms_meet(springs.law) ? 0.5 * overlap : 0;
   c.arm_i = p.radius[o.i] - shortening;
   c.arm_j = p.radius[o.j] - shortening;
   return c;
@@ -57,10 +63,11 @@ void take_history(const Springs& springs, const RecordedContacts& recorded, cons
                   StaticContact& c) {
   const auto [listed, reversed] = recorded.find(o);
   c.known = listed != nullptr;
-  if (!listed || springs.friction == 0) return;
+  if (!listed || springs.friction() == 0) return;
   const Vec3<double> xi = reversed ? -listed->history : listed->history;
-  c.tangential_force = -springs.tangential * (xi - dot(xi, c.normal) * c.normal);
-  c.sliding = at_coulomb_limit(norm(c.tangential_force), c.normal_force, springs.friction, springs.at_limit);
+  c.tangential_force = -c.tangential_stiffness * (xi - dot(xi, c.normal) * c.normal);
+  c.sliding =
+      at_coulomb_limit(norm(c.tangential_force), c.normal_force, springs.friction(), springs.at_limit);
 }
 
 }  // namespace

@@ -4,16 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/laws/any_law.h"
 #include "engine/state/packing.h"
 
 namespace furnas {
 
-/// What holds two spheres in contact at rest, with k_n = 1.
+/// What holds two spheres in contact at rest. The law is asked for its stiffness alone; forces are not taken
+/// from it but worked out here.
 struct Springs {
-  double tangential = 1;   ///< k_t [k_n]
-  double friction = 0;     ///< Coulomb coefficient mu; 0: no tangential springs, no rotations
-  bool arms_meet = true;   ///< lever arms end in the middle of the overlap, not at the full radius
+  AnyLaw law = Frictionless<false>{};
   double at_limit = 1e-3;  ///< a contact slides when |F_t| reaches (1 - at_limit) mu F_n
+
+  /// Coulomb coefficient mu; 0: no tangential springs, no rotations.
+  double friction() const { return has_friction(law) ? constants_of(law).friction : 0; }
 };
 
 /// A contact at rest: what it is and what it exerts without any motion.
@@ -24,7 +27,9 @@ struct StaticContact {
   Vec3<double> normal;                  ///< branch/|branch|
   double distance{};                    ///< |branch| [d_s]
   double arm_i{}, arm_j{};              ///< from the centres to the contact point [d_s]
-  double normal_force{};                ///< F_n = k_n overlap > 0 [k_n d_s]
+  double normal_force{};                ///< F_n of the spring, > 0 [k_n d_s]
+  double normal_stiffness{};            ///< dF_n/d overlap [k_n]
+  double tangential_stiffness{};        ///< k_t [k_n]
   Vec3<double> tangential_force;        ///< F_t = -k_t xi, on i [k_n d_s]
   bool sliding{};                       ///< at the Coulomb limit
   bool known{};                         ///< the packing's list has it, with its history
@@ -44,7 +49,7 @@ struct ContactNetwork {
   std::int64_t unlisted{};     ///< contacts that the packing's list does not have
   std::int64_t open{};         ///< contacts of the packing's list whose spheres do not overlap
 
-  bool frictional() const { return springs.friction > 0; }
+  bool frictional() const { return springs.friction() > 0; }
 };
 
 /// Finds the contacts and evaluates their forces at rest.

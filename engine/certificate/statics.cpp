@@ -49,7 +49,7 @@ Eigen::Matrix3d static_stress(const ContactNetwork& network) {
 }
 
 FrictionState friction_state(const ContactNetwork& network, const Backbone& backbone) {
-  const double mu = network.springs.friction;
+  const double mu = network.springs.friction();
   FrictionState state;
   state.largest_excess = -std::numeric_limits<double>::infinity();
   state.least_normal = std::numeric_limits<double>::infinity();

@@ -55,7 +55,7 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
       unknowns_(per_particle_ * static_cast<Index>(backbone.particles.size())),
       volume_(network.volume),
       pressure_(pressure),
-      springs_(network.springs) {
+      arms_meet_(arms_meet(network.springs.law)) {
   std::vector<Index> first(backbone.contains.size());
   for (std::size_t n = 0; n < backbone.particles.size(); ++n)
     first[backbone.particles[n]] = per_particle_ * static_cast<Index>(n);
@@ -65,10 +65,20 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
   };
   for (const StaticContact* c : backbone.bonds) {
     const Vector3d friction = wide(c->tangential_force);
-    bonds_.push_back({first[c->i], first[c->j], wide(c->branch), wide(c->normal), friction,
-                      c->sliding ? friction.normalized() : Vector3d::Zero(), c->normal_force,
-                      lacking(c->i) + lacking(c->j), c->arm_i, c->arm_j, network.radius[c->i],
-                      network.radius[c->j]});
+    bonds_.push_back({.i = first[c->i],
+                      .j = first[c->j],
+                      .branch = wide(c->branch),
+                      .normal = wide(c->normal),
+                      .friction = friction,
+                      .sliding = c->sliding ? friction.normalized() : Vector3d::Zero(),
+                      .push = c->normal_force,
+                      .normal_stiffness = c->normal_stiffness,
+                      .tangential_stiffness = c->tangential_stiffness,
+                      .lacking = lacking(c->i) + lacking(c->j),
+                      .arm_i = c->arm_i,
+                      .arm_j = c->arm_j,
+                      .radius_i = network.radius[c->i],
+                      .radius_j = network.radius[c->j]});
   }
   if (network.frictional()) find_bridges(backbone);
 }
@@ -88,12 +98,12 @@ void Stiffness::find_bridges(const Backbone& backbone) {
 Stiffness::Local Stiffness::elastic(const Bond& b) const {
   const Rows moved = moved_of(b.branch);
   const Matrix3d along = b.normal * b.normal.transpose();
-  Local k = moved.transpose() * along * moved;
+  Local k = b.normal_stiffness * (moved.transpose() * along * moved);
   if (per_particle_ == 3) return k;
   const Rows slip =
       (Matrix3d::Identity() - along) * moved +
       crossing(b.normal) * (b.arm_i * turn_of(0, b.radius_i) + b.arm_j * turn_of(1, b.radius_j));
-  const Matrix3d held = springs_.tangential * (Matrix3d::Identity() - b.sliding * b.sliding.transpose());
+  const Matrix3d held = b.tangential_stiffness * (Matrix3d::Identity() - b.sliding * b.sliding.transpose());
   return k + slip.transpose() * held * slip;
 }
 
@@ -109,7 +119,7 @@ Stiffness::Local Stiffness::prestress(const Bond& b, double push, const Vector3d
   const Row stretch = b.normal.transpose() * moved;
   const Row twist = 0.5 * b.normal.transpose() * (turn_i + turn_j);
   const Vector3d couple = b.normal.cross(friction);
-  const double lengthening = springs_.arms_meet ? 0.5 : 0;  // of an arm with the distance
+  const double lengthening = arms_meet_ ? 0.5 : 0;  // of an arm with the distance
   const Rows arms = b.arm_i * turn_i + b.arm_j * turn_j;
   const Local turned = tilt.transpose() * friction * stretch -
                        twist.transpose() * couple.transpose() * moved +

@@ -17,15 +17,15 @@ using Strain = Eigen::Matrix<double, 6, 1>;
 using StrainMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// Second derivatives of the enthalpy U + p V of a backbone whose contacts are springs: what forces answer to
-/// small displacements, k_n = 1 (docs/certificate.md derives it).
+/// small displacements (docs/certificate.md derives it).
 ///
 /// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
-/// A contact holds its two spheres with k_n along the normal and with k_t across it, if it slides only across
-/// its friction; and its forces turn with it, the prestress. Of that part friction makes unsymmetric, the
-/// symmetric half is taken: it alone enters the second-order work.
+/// A contact holds its two spheres with its normal stiffness along the normal and with k_t across it, if it
+/// slides only across its friction; and its forces turn with it, the prestress. Of that part friction makes
+/// unsymmetric, the symmetric half is taken: it alone enters the second-order work.
 ///
 /// A particle that bridges two others, with two contacts, may spin about the line through its contact points:
-/// nothing moves and no force changes. That spin is held with k_n, so that it is no soft motion.
+/// nothing moves and no force changes. That spin is held with 1 k_n, so that it is no soft motion.
 class Stiffness {
  public:
   Stiffness(const ContactNetwork& network, const Backbone& backbone, double pressure);
@@ -60,11 +60,12 @@ class Stiffness {
     Eigen::Index i, j;       // first unknown of each particle
     Eigen::Vector3d branch;  // [d_s]
     Eigen::Vector3d normal;
-    Eigen::Vector3d friction;  // F_t on i [k_n d_s]
-    Eigen::Vector3d sliding;   // its direction at the Coulomb limit, or 0
-    double push;               // F_n [k_n d_s]
-    double lacking;            // net forces of both spheres, and their net torques/R [k_n d_s]
-    double arm_i, arm_j;       // [d_s]
+    Eigen::Vector3d friction;                       // F_t on i [k_n d_s]
+    Eigen::Vector3d sliding;                        // its direction at the Coulomb limit, or 0
+    double push;                                    // F_n [k_n d_s]
+    double normal_stiffness, tangential_stiffness;  // [k_n]
+    double lacking;       // net forces of both spheres, and their net torques/R [k_n d_s]
+    double arm_i, arm_j;  // [d_s]
     double radius_i, radius_j;
   };
   struct Bridge {
@@ -87,7 +88,7 @@ class Stiffness {
   Eigen::Index unknowns_;
   double volume_;
   double pressure_;
-  Springs springs_;
+  bool arms_meet_;
 };
 
 }  // namespace furnas

@@ -63,13 +63,7 @@ void Quench::restore(const std::string& saved) {
 
 std::optional<Verdict> Quench::fire(Observation& now) {
   // What the step has kept of the motion, its stress and half a step of its losses, acts once more.
-  Packing packing = now.take_packing();
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    packing.ledger.quenched += kinetic_energy(packing, k);
-    packing.velocity[k] = packing.spin[k] = {};
-  }
-  packing.cell.rate = {};
-  now.replace(packing);
+  now.stop_all_motion();
   peak_ = 0;
   ++count_, ++count_at_pressure_;
   return {};

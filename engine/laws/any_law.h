@@ -39,7 +39,12 @@ inline bool has_friction(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.spins; }, any);
 }
 
-/// How hard a contact resists under a law.
+/// Whether lever arms meet in the middle of the overlap under a law, or are the full radii.
+inline bool arms_meet(const AnyLaw& any) {
+  return std::visit([](const auto& law) { return law.arms_meet; }, any);
+}
+
+/// How a contact pushes and resists under a law.
 inline ContactStiffness stiffness_of(const AnyLaw& any, const Touch<double>& touch) {
   return std::visit([&](const auto& law) { return law.stiffness(touch); }, any);
 }

@@ -22,11 +22,12 @@ template <class R>
   return t.overlap;
 }
 
-/// Stiffness and damping of a Hookean contact, the same for any touch; without spins there is no tangential
-/// force.
-[[gnu::always_inline]] inline ContactStiffness hooke_stiffness(const HookeConstants& c, bool spins) {
-  if (!spins) return {1, 0, c.normal_damping, 0};
-  return {1, c.tangential_stiffness, c.normal_damping, c.tangential_damping};
+/// Push, stiffness and damping of a Hookean contact; without spins there is no tangential force.
+[[gnu::always_inline]] inline ContactStiffness hooke_stiffness(const HookeConstants& c,
+                                                               const Touch<double>& t, bool spins) {
+  constexpr double k_n = 1;
+  if (!spins) return {hooke_spring(t), k_n, 0, c.normal_damping, 0};
+  return {hooke_spring(t), k_n, c.tangential_stiffness, c.normal_damping, c.tangential_damping};
 }
 
 /// Energy of a Hookean contact, k_n overlap^2/2 and k_t xi^2/2.

@@ -15,12 +15,13 @@ struct HookeHistory {
   static constexpr const char* name = "hooke_history";
   static constexpr bool spins = true;
   static constexpr bool synchronized = false;
+  static constexpr bool arms_meet = false;
 
   HookeConstants constants;
 
   /// As the springs resist at this overlap; all that asks how stiff a contact is asks here.
-  [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>&) const {
-    return hooke_stiffness(constants, spins);
+  [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
+    return hooke_stiffness(constants, t, spins);
   }
   /// As the springs hold it.
   [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {

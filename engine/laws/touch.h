@@ -34,8 +34,10 @@ struct ContactLosses {
   R sliding{};  ///< all that the tangential force took in a step that ended at the Coulomb limit
 };
 
-/// How hard the springs and dashpots of a contact resist at an instant: what a law answers to stiffness().
+/// How the springs and dashpots of a contact push and resist at an instant: what a law answers to
+/// stiffness().
 struct ContactStiffness {
+  double push{};                ///< normal force of the spring [k_n d_s]
   double normal{};              ///< dF_n/d overlap of the spring [k_n]
   double tangential{};          ///< dF_t/d xi of the spring; 0 for a law without friction [k_n]
   double normal_damping{};      ///< of the normal velocity, over the reduced mass [1/time]

@@ -8,9 +8,12 @@ Touch<double> touch_of(const Packing& p, const Contact& c) {
   return resting_touch(p.radius[c.i], p.radius[c.j], reduced_mass(p.mass[c.i], p.mass[c.j]), c.overlap);
 }
 
+double kinetic_energy(double mass, double radius, const Vec3<double>& velocity, const Vec3<double>& spin) {
+  return 0.5 * (mass * dot(velocity, velocity) + sphere_inertia(mass, radius) * dot(spin, spin));
+}
+
 double kinetic_energy(const Packing& p, std::size_t k) {
-  return 0.5 * (p.mass[k] * dot(p.velocity[k], p.velocity[k]) +
-                sphere_inertia(p.mass[k], p.radius[k]) * dot(p.spin[k], p.spin[k]));
+  return kinetic_energy(p.mass[k], p.radius[k], p.velocity[k], p.spin[k]);
 }
 
 Energy energy(const Packing& p, const AnyLaw& law) {

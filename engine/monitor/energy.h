@@ -8,6 +8,9 @@ namespace furnas {
 /// A contact of a packing as its law sees it when nothing moves.
 Touch<double> touch_of(const Packing& packing, const Contact& contact);
 
+/// Kinetic energy of a sphere: of its peculiar motion and of its spin [k_n d_s^2].
+double kinetic_energy(double mass, double radius, const Vec3<double>& velocity, const Vec3<double>& spin);
+
 /// Kinetic energy of particle k: of its peculiar motion and of its spin [k_n d_s^2].
 double kinetic_energy(const Packing& packing, std::size_t k);
 

@@ -77,7 +77,7 @@ RunState ProtocolRun::state() const {
 
 std::int64_t ProtocolRun::lists_built() const {
   // The list with which a run goes on is none that it would have built.
-  return past_.lists_built + simulation_->builds() - (goes_on_ ? 1 : 0);
+  return past_.lists_built + simulation_->neighbours().builds - (goes_on_ ? 1 : 0);
 }
 
 std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_); }

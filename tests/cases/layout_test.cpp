@@ -24,8 +24,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"engine/model", {"engine/base", "engine/state", "engine/laws"}},
     {"engine/search", {"engine/base", "engine/state"}},
     {"engine/kernels", {"engine/base", "engine/state", "engine/laws"}},
-    // It judges what the others made, so it knows none of them.
-    {"engine/certificate", {"engine/base", "engine/state"}},
+    // It judges what the others made, so it knows none of them; it asks a law for its stiffness.
+    {"engine/certificate", {"engine/base", "engine/state", "engine/laws"}},
     {"engine/start", {"engine/base", "engine/state", "engine/search"}},
     // Numbers alone, never a packing.
     {"engine/statistics", {"engine/base"}},
@@ -46,6 +46,10 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"engine/events",
      {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search", "engine/monitor",
       "engine/phases", "engine/simulation", "engine/compaction"}},
+    // What a run is; the program adds files, console and signals.
+    {"engine/protocol",
+     {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/monitor", "engine/simulation",
+      "engine/compaction", "engine/events"}},
     {"io", {"engine"}},
     {"viz", {"engine", "io"}},
     {"cases", {"engine", "io", "viz"}},

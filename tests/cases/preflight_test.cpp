@@ -17,26 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Restitution, FollowsTheClosedFormOfEachPair) {
-  struct Pair {
-    double a, b, restitution;
-  };
-  for (const Pair& pair : {Pair{1, 1, 0.66685}, Pair{1, 2, 0.58055}, Pair{1, 40, 0.56111},
-                           Pair{2, 2, 0.29546}, Pair{3, 3, 0.06113}}) {
-    EXPECT_NEAR(restitution(pair.a, pair.b, 0.5), pair.restitution, 5e-6);
-    EXPECT_EQ(restitution(pair.b, pair.a, 0.5), restitution(pair.a, pair.b, 0.5));
-  }
-  EXPECT_EQ(restitution(1, 1, 0), 1);
-}
-
-/// Two large spheres creep apart from alpha = 3.94 on: 1/m_eff = gamma^2/4.
-TEST(Restitution, VanishesWhereThePairIsOverdamped) {
-  const double limit = std::cbrt(2 * 16 * 6 / std::numbers::pi);
-  EXPECT_NEAR(limit, 3.94, 0.005);
-  EXPECT_GT(restitution(0.999 * limit, 0.999 * limit, 0.5), 0);
-  EXPECT_EQ(restitution(1.001 * limit, 1.001 * limit, 0.5), 0);
-}
-
 Case bidisperse() {
   Case c;
   c.mixture.size_ratio = 4;

@@ -38,7 +38,7 @@ class Determinism : public ::testing::TestWithParam<Case> {
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
     const auto simulation = make_simulation(with, start, threads, execution);
     simulation->advance(steps);
-    return {simulation->packing(), simulation->builds()};
+    return {simulation->packing(), simulation->neighbours().builds};
   }
 
   const Packing start = test::hasty_gas(GetParam().large);
@@ -55,8 +55,8 @@ TEST_P(Determinism, TheRunHasSomethingToDisagreeAbout) {
   const Packing end = simulation->packing();
   EXPECT_GE(steps, lively);
   EXPECT_GT(start.size(), 4 * 256u);
-  EXPECT_GT(simulation->builds(), 10);
-  EXPECT_LT(simulation->builds(), lively / 3);
+  EXPECT_GT(simulation->neighbours().builds, 10);
+  EXPECT_LT(simulation->neighbours().builds, lively / 3);
   EXPECT_GT(end.fraction_filled(), 1.5 * start.fraction_filled());
   EXPECT_GT(end.contacts.size(), 1000u);
   EXPECT_GT(std::abs(end.cell.edges.xy), 1e-3);

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "engine/base/require.h"
+#include "engine/monitor/energy.h"
 #include "engine/simulation.h"
 
 namespace furnas {
@@ -27,11 +28,20 @@ class FakeSimulation : public Simulation {
   std::int64_t step() const override { return step_; }
   const Cell& cell() const override { return cell_; }
   const Model& model() const override { return model_; }
+  void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
+                  const Triangle& rate) override {
+    Packing changed = packing();
+    for (std::size_t k = 0; k < changed.size(); ++k) changed.ledger.quenched += kinetic_energy(changed, k);
+    changed.velocity.assign(velocity.begin(), velocity.end());
+    changed.spin.assign(spin.begin(), spin.end());
+    for (std::size_t k = 0; k < changed.size(); ++k) changed.ledger.quenched -= kinetic_energy(changed, k);
+    changed.cell.rate = rate;
+    loaded_ = changed;
+  }
+  void set_time_step(double time_step) override { model_.time_step = time_step; }
   void set_pressure(double pressure) override { model_.barostat.pressure = pressure; }
   int threads() const override { return 1; }
-  std::int64_t builds() const override { return 17; }
-  std::size_t pairs() const override { return 0; }
-  std::size_t inner_pairs() const override { return 0; }
+  NeighbourCounts neighbours() const override { return {.builds = 17}; }
   const StepGraph& graph() const override { throw ContractError("a made-up simulation has no phases"); }
 
   Model& model() { return model_; }

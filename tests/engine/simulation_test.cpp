@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "engine/events/flip.h"
+#include "engine/monitor/energy.h"
 #include "tests/engine/laws/every_law.h"
+#include "tests/engine/support/same_packing.h"
 #include "tests/engine/support/setups.h"
 #include "tests/engine/support/symmetries.h"
 
@@ -43,8 +45,8 @@ TYPED_TEST(Invariance, TranslationChangesNoBit) {
   const auto b = make_simulation(worn, there);
   a->advance(300);
   b->advance(300);
-  EXPECT_GT(a->builds(), 3);
-  EXPECT_EQ(a->builds(), b->builds());
+  EXPECT_GT(a->neighbours().builds, 3);
+  EXPECT_EQ(a->neighbours().builds, b->neighbours().builds);
   const Packing p = a->packing();
   const Packing q = b->packing();
   EXPECT_EQ(p.velocity, q.velocity);
@@ -142,6 +144,63 @@ TYPED_TEST(Invariance, FlipChangesNothing) {
     expect_same_contacts(next, q, 1e-13);
     EXPECT_LT(largest_difference(next.force, q.force), 1e-13);
   }
+}
+
+/// A packing in motion, its cell too, with histories.
+Packing moving(const Model& model) {
+  Packing start = squeezed(1e-2);
+  start.cell.rate = {1e-3, -1e-3, 0, 1e-3, -1e-3, 1e-3};
+  return after(model, start, 50);
+}
+
+// Another motion is what a packing with other velocities would be, but for the list, which stays.
+TYPED_TEST(Invariance, ANewMotionIsThatOfAPackingWithIt) {
+  const Model model = in_a_moving_cell(this->model);
+  const auto changed = make_simulation(model, moving(model));
+  Packing wanted = changed->packing();
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    wanted.velocity[k] = -0.5 * wanted.velocity[k];
+    wanted.spin[k] = 0.25 * wanted.spin[k];
+  }
+  wanted.cell.rate = {1e-4, 0, 2e-4, 0, 0, -1e-4};
+  changed->set_motion(wanted.velocity, wanted.spin, wanted.cell.rate);
+  const auto loaded = make_simulation(model, wanted);
+  EXPECT_TRUE(test::same_packing(changed->packing(), wanted));
+  changed->advance(100);
+  loaded->advance(100);
+  EXPECT_TRUE(test::same_packing(changed->packing(), loaded->packing()));
+}
+
+// The energy that a stop takes out is booked: the balance closes as well as it did.
+TYPED_TEST(Invariance, AStopIsBooked) {
+  const Model model = in_a_moving_cell(this->model);
+  const auto simulation = make_simulation(model, moving(model));
+  const auto gap = [&] {
+    const Packing p = simulation->packing();
+    return p.ledger.gap(energy(p, model.law).total());
+  };
+  const double before = gap(), moved = energy(simulation->packing(), model.law).kinetic;
+  const std::vector<Vec3<double>> none(simulation->packing().size());
+  simulation->set_motion(none, none, {});
+  EXPECT_EQ(energy(simulation->packing(), model.law).kinetic, 0);
+  EXPECT_NEAR(gap(), before, 1e-12 * moved);
+  EXPECT_NEAR(simulation->packing().ledger.quenched, moved, 1e-12 * moved);
+}
+
+// Another step is that of a simulation made with it; the time goes on.
+TYPED_TEST(Invariance, ANewTimeStepIsThatOfASimulationWithIt) {
+  Model model = in_a_moving_cell(this->model);
+  const auto changed = make_simulation(model, moving(model));
+  const double time = changed->packing().time;
+  changed->set_time_step(0.5 * model.time_step);
+  const Packing here = changed->packing();
+  EXPECT_EQ(here.time, time);
+  changed->advance(100);
+  model.time_step *= 0.5;
+  const auto made = make_simulation(model, here);
+  made->advance(100);
+  EXPECT_TRUE(test::same_packing(changed->packing(), made->packing()));
+  EXPECT_NEAR(changed->packing().time, time + 100 * model.time_step, 1e-12);
 }
 
 }  // namespace

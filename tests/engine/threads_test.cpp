@@ -54,7 +54,8 @@ Outcome run(int threads, Execution execution = Execution::automatic, const Job& 
   events.push_back(std::make_unique<RenewOrder>(250));
   events.push_back(std::make_unique<Budget>(job.steps));
   EXPECT_EQ(compact(now, events), Verdict::budget);
-  return {simulation->packing(), static_cast<const Flip&>(*events.front()).count(), simulation->builds()};
+  return {simulation->packing(), static_cast<const Flip&>(*events.front()).count(),
+          simulation->neighbours().builds};
 }
 
 /// The run on one thread; all others must equal it.

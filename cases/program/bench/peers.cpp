@@ -69,7 +69,7 @@ class Match {
     Table table({"pair", "furnas Mps", "LAMMPS Mps", "ratio", "furnas rebuilds", "LAMMPS rebuilds"});
     for (int n = 0; n < order_.pairs; ++n) {
       const auto simulation = make_simulation(model, start_, order_.ranks);
-      const std::int64_t builds = simulation->builds();
+      const std::int64_t builds = simulation->neighbours().builds;
       const auto begin = std::chrono::steady_clock::now();
       simulation->advance(order_.steps);
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
@@ -79,7 +79,7 @@ class Match {
       ratios.push_back(ours.back() / theirs.back());
       table.row({fmt::format("{}", n + 1), fmt::format("{:.3g}", ours.back()),
                  fmt::format("{:.3g}", theirs.back()), fmt::format("{:.3g}", ratios.back()),
-                 fmt::format("{}", simulation->builds() - builds), fmt::format("{}", timing.rebuilds)});
+                 fmt::format("{}", simulation->neighbours().builds - builds), fmt::format("{}", timing.rebuilds)});
     }
     console_.out << table.aligned()
                  << fmt::format("furnas  {} Mps, {}, mu {:g}, {}, {} thread(s)\n", text_of(spread_of(ours)),

@@ -87,12 +87,12 @@ class SpeedMeasurement {
     // has been replaced.
     constexpr std::int64_t settled = 150;
     simulation->advance(std::max(steps_ / 10, settled));
-    const std::int64_t builds = simulation->builds();
+    const std::int64_t builds = simulation->neighbours().builds;
     rates_[k].push_back(particles * static_cast<double>(steps_) / seconds_of(*simulation, steps_) / 1e6);
-    row.rebuilds = simulation->builds() - builds;
+    row.rebuilds = simulation->neighbours().builds - builds;
     row.memory = std::max(row.memory, static_cast<double>(memory.growth()) / particles);
-    row.pairs = static_cast<double>(simulation->pairs()) / particles;
-    row.inner = static_cast<double>(simulation->inner_pairs()) / particles;
+    row.pairs = static_cast<double>(simulation->neighbours().pairs) / particles;
+    row.inner = static_cast<double>(simulation->neighbours().inner_pairs) / particles;
     {
       const Packing now = simulation->packing();
       row.contacts = static_cast<double>(now.contacts.size()) / particles;

@@ -26,13 +26,12 @@ struct Options {
 CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   const Case& c = *source.of_case;
   CertificateTerms terms;
-  terms.springs.tangential = c.contact.tangential_stiffness;
-  terms.springs.friction = c.contact.friction;
-  terms.springs.arms_meet = c.contact.law != HookeHistory::name;
-  terms.freedom = model_of(c, source.packing).barostat.freedom;
+  const Protocol protocol = protocol_of(c);
+  terms.springs.law = law_of(protocol);
+  terms.freedom = protocol.cell;
   terms.pressure =
       c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1));
-  const RestCriteria rest = protocol_of(c).rest;
+  const RestCriteria& rest = protocol.rest;
   terms.tight_imbalance = rest.force_imbalance;
   terms.imbalance = options.force_imbalance.value_or(std::max(rest.force_imbalance, rest.loose_imbalance));
   terms.stress_error = options.stress_error.value_or(rest.stress_error);

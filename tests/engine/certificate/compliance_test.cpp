@@ -21,7 +21,8 @@ TEST(Compliance, CountsAndInvertsWhatIsNotDefinite) {
   };
   const Packing packing = squeezed(0);
   for (const auto& [tangential, least, most] : {Way{1, 0, 0}, {0.09, 1, 9}, {0.05, 5, 1000}}) {
-    const ContactNetwork network = contact_network(packing, {.tangential = tangential, .friction = 1e9});
+    const ContactNetwork network = contact_network(
+        packing, {.law = HookeSynchronized{{.tangential_stiffness = tangential, .friction = 1e9}}});
     const Backbone backbone = find_backbone(network, packing.species, {0, 4});
     const Stiffness stiffness(network, backbone, 0);
     const Compliance compliance(stiffness, MatrixXd(6, 0));

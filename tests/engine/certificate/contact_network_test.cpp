@@ -12,7 +12,7 @@
 namespace furnas {
 namespace {
 
-const Springs rough{.tangential = 1, .friction = 0.3};
+const Springs rough{.law = HookeSynchronized{{.friction = 0.3}}};
 
 TEST(ContactNetwork, HasTheForcesOfAPackingAtRest) {
   const Packing& p = jammed();

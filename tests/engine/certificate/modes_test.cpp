@@ -24,7 +24,8 @@ struct Answer {
   StrainMatrix constants;
 
   Answer(const Packing& p, double friction, CellFreedom freedom = CellFreedom::triclinic, double kt = 0.7)
-      : network(contact_network(p, {.tangential = kt, .friction = friction})),
+      : network(contact_network(
+            p, {.law = HookeSynchronized{{.tangential_stiffness = kt, .friction = friction}}})),
         backbone(find_backbone(network, p.species, {0, 1})) {
     const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
     modes = find_modes(stiffness, freedom, 6);
@@ -161,7 +162,7 @@ TEST(Modes, OfTwoPiecesAreFlat) {
     both.fraction[count + k] = to_fraction(in_unit_cell(both.fraction[k]) + Vec3<double>{0.25, 0.25, 0.25});
     both.radius[count + k] = both.radius[k];
   }
-  const ContactNetwork network = contact_network(both, {.friction = 0.5});
+  const ContactNetwork network = contact_network(both, {.law = HookeSynchronized{{.friction = 0.5}}});
   Backbone backbone = find_backbone(network, both.species, {0, 1});
   EXPECT_EQ(
       std::erase_if(backbone.bonds, [&](const StaticContact* c) { return (c->i < count) != (c->j < count); }),

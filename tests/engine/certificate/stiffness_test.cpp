@@ -120,7 +120,8 @@ double work_of_law(const Sample& sample, const Motion& m, double x) {
 TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
   Packing packing = squeezed(0);
   for (Contact& c : packing.contacts) c.history *= 100;  // as large as overlaps, so that its turning counts
-  const Sample sample(packing, {.tangential = 1, .friction = 0.3, .at_limit = -1e300});
+  const Sample sample(
+      packing, {.law = HookeSynchronized{{.tangential_stiffness = 1, .friction = 0.3}}, .at_limit = -1e300});
   ASSERT_EQ(sample.stiffness.bridges(), 0) << "their spin is held besides";
   for (std::uint64_t seed : {4, 5, 6}) {
     const Motion v = random_motion(sample.stiffness, seed);
@@ -148,7 +149,7 @@ TEST(Stiffness, OfAContactThatSlidesIsAcrossItsFriction) {
     c.i = 1, c.j = 0;
     c.history = {0, share * 0.3 * (1 - r) / kt, 0};
     pair.contacts = {c};
-    const Sample sample(pair, {.tangential = kt, .friction = 0.3});
+    const Sample sample(pair, {.law = HookeSynchronized{{.tangential_stiffness = kt, .friction = 0.3}}});
     ASSERT_EQ(sample.network.contacts.at(0).sliding, share == 1.0);
     const auto cost = [&](Eigen::Index axis) {
       Motion m{Eigen::VectorXd::Unit(12, axis), Strain::Zero()};
@@ -173,7 +174,7 @@ TEST(Stiffness, IsInDoubtByWhatItsSpheresLack) {
     c.i = 1, c.j = 0;
     c.history = {0, across, 0};
     pair.contacts = {c};
-    const Sample sample(pair, {.friction = friction});
+    const Sample sample(pair, {.law = HookeSynchronized{{.friction = friction}}});
     const double lacking = 2 * (std::hypot(push, across) + r / 2 * across / 0.5);
     const double expected = lacking * (friction > 0 ? std::sqrt(2) : 1) / r;
     const Eigen::Index of_second = sample.stiffness.per_particle();
@@ -190,7 +191,8 @@ TEST(Stiffness, IsInDoubtByWhatItsSpheresLack) {
 
 TEST(Stiffness, AsMatricesIsTheSame) {
   for (double friction : {0.0, 0.3}) {
-    const Sample sample(jammed(), {.tangential = 0.8, .friction = friction});
+    const Sample sample(jammed(),
+                        {.law = HookeSynchronized{{.tangential_stiffness = 0.8, .friction = friction}}});
     const Stiffness& k = sample.stiffness;
     const Motion v = random_motion(k, 7);
     const Motion force = k.times(v);
@@ -206,7 +208,7 @@ TEST(Stiffness, AsMatricesIsTheSame) {
 }
 
 TEST(Stiffness, TranslationCostsNothing) {
-  const Sample sample(jammed(), {.friction = 0.3});
+  const Sample sample(jammed(), {.law = HookeSynchronized{{.friction = 0.3}}});
   Motion all{Eigen::VectorXd::Zero(sample.stiffness.unknowns()), Strain::Zero()};
   for (Eigen::Index k = 0; k < all.particles.size(); k += 6) all.particles.segment<3>(k) << 1, 2, 3;
   const Motion force = sample.stiffness.times(all);
@@ -242,7 +244,7 @@ Packing bridge(double angle) {
 TEST(Stiffness, OfABridgeThatSpinsIsThatOfItsHold) {
   for (double angle : {0.02, 0.1, 0.25}) {
     const Packing p = bridge(angle);
-    const Springs springs{.tangential = 1, .friction = 0.3};
+    const Springs springs{.law = HookeSynchronized{{.tangential_stiffness = 1, .friction = 0.3}}};
     const ContactNetwork network = contact_network(p, springs);
     Backbone backbone = find_backbone(network, p.species, {0, 1});
     ASSERT_EQ(backbone.bonds.size(), 2u);

@@ -236,7 +236,7 @@ TYPED_TEST(History, SurvivesANewList) {
     model.skin = skin;
     const auto simulation = make_simulation(model, squeezed(1e-3));
     simulation->advance(100);
-    return std::pair{simulation->packing(), simulation->builds()};
+    return std::pair{simulation->packing(), simulation->neighbours().builds};
   };
   const auto [often, many] = run(0);
   const auto [once, one] = run(0.5);

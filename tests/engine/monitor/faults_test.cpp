@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <functional>
 #include <limits>
 
-#include "tests/engine/phases/crystal.h"
+#include "engine/monitor/stability.h"
 #include "tests/engine/support/setups.h"
 
 namespace furnas {
@@ -70,89 +70,6 @@ TEST(FaultOf, SeesATimeStepThatIsTooLong) {
   EXPECT_EQ(fault_of(jammed(), model), "");
   model.time_step *= 2.01 / 1.99;
   EXPECT_THAT(fault_of(jammed(), model), HasSubstr("the time step is too long"));
-}
-
-/// Two equal spheres that stick: normal mode k/m_eff, tangential mode with rotation 3.5 k_t/m_eff, so the
-/// bound is exact.
-TEST(StiffestStep, IsExactForAStickingPair) {
-  Packing p = packing_of(cube(10), {{.position = {1, 1, 1}}, {.position = {1.9, 1, 1}}});
-  Model model = model_of<HookeSynchronized>({.friction = 0.3});
-  p = after(model, p, 0);
-  const double m_eff = 0.5 * mass_of(0.5);
-  EXPECT_NEAR(stiffest_step(p, model), model.time_step * std::sqrt(3.5 / m_eff), 1e-14);
-  Model smooth = model_of<Frictionless<false>>({});
-  EXPECT_NEAR(stiffest_step(p, smooth), smooth.time_step * std::sqrt(1 / m_eff), 1e-14);
-}
-
-/// Frictionless springs of the jammed packing: the largest eigenvalue of M^-1 K, with K built by hand.
-TEST(StiffestStep, BoundsTheFrequenciesOfAPacking) {
-  const Packing& p = jammed();
-  const auto n = static_cast<Eigen::Index>(3 * p.size());
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-  for (const Contact& c : p.contacts) {
-    const Eigen::Vector3d normal = Eigen::Vector3d(c.branch.x, c.branch.y, c.branch.z).normalized();
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(n);
-    u.segment<3>(3 * c.i) += normal / std::sqrt(p.mass[c.i]);
-    u.segment<3>(3 * c.j) -= normal / std::sqrt(p.mass[c.j]);
-    k += u * u.transpose();
-  }
-  Model model = jammed_model();
-  model.law = Frictionless<false>{};
-  const double exact =
-      model.time_step *
-      std::sqrt(
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues()(n - 1));
-  const double bound = stiffest_step(p, model);
-  EXPECT_GE(bound, exact);
-  EXPECT_LT(bound, 2 * exact);  // and is not idle
-}
-
-/// A step that passed over a contact (its particles have moved, but not it) must not look sound from outside.
-TEST(AuditContacts, FindsWhatTheStepHasPassedOver) {
-  Packing p = jammed();
-  ASSERT_FALSE(p.order.empty());  // so that the contacts are those of the last step, not found anew
-  p.contacts.erase(p.contacts.begin() + 7);
-  const Packing out = make_simulation(jammed_model(), p)->packing();
-  EXPECT_EQ(out.contacts.size(), p.contacts.size());
-  EXPECT_THAT(audit_contacts(out, out.size(), 1), HasSubstr("has missed"));
-}
-
-TEST(AuditContacts, AgreesWithTheEngine) {
-  EXPECT_EQ(audit_contacts(jammed(), jammed().size(), 1), "");
-  Packing p = squeezed(0.1);
-  p.order.clear();  // so that contacts are found anew
-  EXPECT_EQ(audit_contacts(after(jammed_model(), p, 0), 1000, 7), "");
-}
-
-/// A cell so small that spheres touch several images of a partner and of themselves.
-TEST(AuditContacts, KnowsEveryImage) {
-  const Packing p =
-      after(model_of<HookeSynchronized>({.friction = 0.3}),
-            packing_of({1.9, 1.7, 1.6, 0.4, -0.6, 0.7},
-                       {{.position = {0.1, 0.2, 0.3}, .radius = 0.9}, {.position = {1.0, 0.9, 0.8}}}),
-            0);
-  EXPECT_GT(p.contacts.size(), 4U);
-  EXPECT_EQ(audit_contacts(p, 2, 3), "");
-}
-
-TEST(AuditContacts, FindsAContactThatWasMissed) {
-  for (std::size_t k : {std::size_t{0}, std::size_t{100}, jammed().contacts.size() - 1}) {
-    Packing p = jammed();
-    const Contact c = p.contacts[k];
-    p.contacts.erase(p.contacts.begin() + static_cast<std::ptrdiff_t>(k));
-    const std::string sentence = audit_contacts(p, p.size(), 1);
-    EXPECT_THAT(sentence, HasSubstr("has missed the contact of particles"));
-    EXPECT_THAT(sentence, HasSubstr(std::to_string(c.i + 1)));
-    EXPECT_THAT(sentence, HasSubstr(std::to_string(c.j + 1)));
-  }
-}
-
-TEST(AuditContacts, FindsAContactThatIsNone) {
-  Packing p = jammed();
-  Contact c = p.contacts[5];
-  c.j = c.j == 0 ? 1 : c.j - 1;
-  p.contacts.push_back(c);
-  EXPECT_THAT(audit_contacts(p, p.size(), 1), HasSubstr("has a contact that is none"));
 }
 
 }  // namespace

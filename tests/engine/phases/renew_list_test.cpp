@@ -39,7 +39,7 @@ TEST(RenewList, HasEveryContactInEveryStep) {
 TEST(RenewList, RebuildsRarelyWhenLittleMoves) {
   const auto simulation = make_simulation(test::hasty_model(0), test::hasty_gas());
   simulation->advance(700);
-  EXPECT_LT(simulation->builds(), 100);
+  EXPECT_LT(simulation->neighbours().builds, 100);
 }
 
 // A packing that has come to rest does not keep the pairs that its motion has asked for.
@@ -50,16 +50,16 @@ TEST(RenewList, ShedsNeedlessPairsWhenNothingMoves) {
   const Packing still = simple_cubic(1 + gap, 4);
   const auto simulation = make_simulation(model, still);
   simulation->advance(128);
-  EXPECT_EQ(simulation->pairs(), 3 * still.size()) << "too young to be asked";
+  EXPECT_EQ(simulation->neighbours().pairs, 3 * still.size()) << "too young to be asked";
   simulation->advance(1);
-  EXPECT_EQ(simulation->pairs(), 0u);
+  EXPECT_EQ(simulation->neighbours().pairs, 0u);
   simulation->advance(4000);
-  EXPECT_EQ(simulation->builds(), 2) << "asked again, and found narrow enough";
+  EXPECT_EQ(simulation->neighbours().builds, 2) << "asked again, and found narrow enough";
 
   model.skin = 0.05;
   const auto fixed = make_simulation(model, still);
   fixed->advance(1000);
-  EXPECT_EQ(fixed->builds(), 1) << "whoever gives a skin gets it";
+  EXPECT_EQ(fixed->neighbours().builds, 1) << "whoever gives a skin gets it";
 }
 
 }  // namespace

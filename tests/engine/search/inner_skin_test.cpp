@@ -78,7 +78,7 @@ TEST(InnerList, ChangeNoBit) {
       simulation->advance(1);
       RC_ASSERT(test::same_packing(simulation->packing(), fresh->packing()));
       ++steps;
-      with_fewer += simulation->inner_pairs() < simulation->pairs();
+      with_fewer += simulation->neighbours().inner_pairs < simulation->neighbours().pairs;
     }
   }));
   EXPECT_GT(with_fewer, steps / 4);
@@ -90,7 +90,7 @@ TEST(InnerList, AreFewInAGas) {
   slow.barostat.pressure = 1e-4;
   const auto simulation = make_simulation(slow, test::hasty_gas());
   simulation->advance(100);
-  EXPECT_LT(simulation->inner_pairs(), simulation->pairs() / 2);
+  EXPECT_LT(simulation->neighbours().inner_pairs, simulation->neighbours().pairs / 2);
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include "io/case_protocol.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+// A C++ program that says nothing and a case file that says nothing run the same protocol.
+TEST(CaseProtocol, HasTheDefaultsOfTheEngine) {
+  const Protocol of_case = protocol_of({}), own;
+  const Packing packing = dilute_start({.large = 10});
+  const Model a = model_of(of_case, packing), b = model_of(own, packing);
+  EXPECT_EQ(a.law.index(), b.law.index());
+  const HookeConstants &x = constants_of(a.law), &y = constants_of(b.law);
+  EXPECT_EQ(x.friction, y.friction);
+  EXPECT_EQ(x.tangential_stiffness, y.tangential_stiffness);
+  EXPECT_EQ(x.normal_damping, y.normal_damping);
+  EXPECT_EQ(x.tangential_damping, y.tangential_damping);
+  EXPECT_EQ(x.attraction, y.attraction);
+  EXPECT_EQ(x.winding, y.winding);
+  EXPECT_EQ(a.precision, b.precision);
+  EXPECT_EQ(a.time_step, b.time_step);
+  EXPECT_EQ(a.affine_velocity, b.affine_velocity);
+  EXPECT_EQ(a.skin, b.skin);
+  EXPECT_EQ(a.barostat.freedom, b.barostat.freedom);
+  EXPECT_EQ(a.barostat.inertia, b.barostat.inertia);
+  EXPECT_EQ(a.barostat.drag, b.barostat.drag);
+  EXPECT_EQ(of_case.pressures, own.pressures);
+  EXPECT_EQ(of_case.steps, own.steps);
+  EXPECT_EQ(of_case.rest.kinetic_energy_alone, own.rest.kinetic_energy_alone);
+  EXPECT_EQ(of_case.rest.stress_error, own.rest.stress_error);
+  EXPECT_EQ(of_case.rest.force_imbalance, own.rest.force_imbalance);
+  EXPECT_EQ(of_case.rest.kinetic_energy, own.rest.kinetic_energy);
+  EXPECT_EQ(of_case.rest.strain_drift, own.rest.strain_drift);
+  EXPECT_EQ(of_case.rest.window, own.rest.window);
+  EXPECT_EQ(mixture_of({}).start_fraction, Mixture{}.start_fraction);
+  EXPECT_EQ(mixture_of({}).large, Mixture{}.large);
+}
+
+TEST(CaseProtocol, TakesEachKeyOfTheCase) {
+  Case c;
+  c.contact = {.law = "hooke_history",
+               .friction = 0.1,
+               .tangential_stiffness = 0.2,
+               .normal_damping = 0.3,
+               .tangential_damping = 0.4,
+               .attraction = false,
+               .winding = false,
+               .velocity = "total"};
+  c.compaction = {.pressure = {1e-3, 1e-4},
+                  .cell = "cubic",
+                  .inertia = 2,
+                  .inertia_absolute = 3,
+                  .drag = 4,
+                  .time_step = 0.01,
+                  .time_step_absolute = 0.05};
+  c.stop = {.criterion = "paper",
+            .stress_error = 1,
+            .force_imbalance = 2,
+            .kinetic_energy = 3,
+            .strain_drift = 4,
+            .window = 5,
+            .steps = 6};
+  c.compute = {.precision = "double", .threads = 7, .skin = 0.8};
+  const Protocol p = protocol_of(c);
+  EXPECT_EQ(p.law, "hooke_history");
+  EXPECT_EQ(p.contact.friction, 0.1);
+  EXPECT_EQ(p.contact.tangential_stiffness, 0.2);
+  EXPECT_EQ(p.contact.normal_damping, 0.3);
+  EXPECT_EQ(p.contact.tangential_damping, 0.4);
+  EXPECT_FALSE(p.contact.attraction);
+  EXPECT_FALSE(p.contact.winding);
+  EXPECT_TRUE(p.affine_velocity);
+  EXPECT_EQ(p.pressures, (std::vector{1e-3, 1e-4}));
+  EXPECT_EQ(p.cell, CellFreedom::cubic);
+  EXPECT_EQ(p.inertia, 2);
+  EXPECT_EQ(p.inertia_absolute, 3);
+  EXPECT_EQ(p.drag, 4);
+  EXPECT_EQ(p.time_step, 0.01);
+  EXPECT_EQ(p.time_step_absolute, 0.05);
+  EXPECT_TRUE(p.rest.kinetic_energy_alone);
+  EXPECT_EQ(p.rest.stress_error, 1);
+  EXPECT_EQ(p.rest.force_imbalance, 2);
+  EXPECT_EQ(p.rest.kinetic_energy, 3);
+  EXPECT_EQ(p.rest.strain_drift, 4);
+  EXPECT_EQ(p.rest.window, 5);
+  EXPECT_EQ(p.steps, 6);
+  EXPECT_EQ(p.precision, Precision::full);
+  EXPECT_EQ(p.skin, 0.8);
+}
+
+TEST(CaseProtocol, AStartFromAFileBeginsItsOwnClock) {
+  Case c;
+  c.start.file = test_data("a3.nph.mu0.3.dump");
+  const Packing packing = start_of(c);
+  EXPECT_EQ(packing.step, 0);
+  EXPECT_EQ(packing.time, 0);
+  EXPECT_GT(packing.size(), 0u);
+}
+
+}  // namespace
+}  // namespace furnas
