@@ -30,13 +30,13 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                     const std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
                     std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                     StepDisplacement& step_displacement) {
-  const DriftLoop<Numerics> loop{time_step,
-                                 cell_drag(bath, cell.rate, particles.size(), time_step),
-                                 inverse(cell.edges),
-                                 pairs.edges,
-                                 contact_state.loaded.data(),
-                                 loads.data(),
-                                 particles.data()};
+  const DriftLoop<Numerics> loop{.time_step = time_step,
+                                 .drag = cell_drag(bath, cell.rate, particles.size(), time_step),
+                                 .to_fraction = inverse(cell.edges),
+                                 .list_edges = pairs.edges,
+                                 .loaded = contact_state.loaded.data(),
+                                 .loads = loads.data(),
+                                 .particles = particles.data()};
   const auto kernel = kernels<Numerics>().drift;
   step_displacement.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
@@ -56,17 +56,17 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                      std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
                      std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                      Eigen::Matrix3d& motion) {
-  const GatherLoop<Numerics> loop{time_step,
-                                  cell_drag(bath, cell.rate, particles.size(), time_step),
-                                  pairs.first.data(),
-                                  pairs.incoming_first.data(),
-                                  pairs.incoming.data(),
-                                  pairs.rows(),
-                                  rows.data(),
-                                  contact_state.contacts.data(),
-                                  contact_state.loaded.data(),
-                                  loads.data(),
-                                  particles.data()};
+  const GatherLoop<Numerics> loop{.time_step = time_step,
+                                  .drag = cell_drag(bath, cell.rate, particles.size(), time_step),
+                                  .first = pairs.first.data(),
+                                  .incoming_first = pairs.incoming_first.data(),
+                                  .incoming = pairs.incoming.data(),
+                                  .rows_end = pairs.rows(),
+                                  .rows = rows.data(),
+                                  .contacts = contact_state.contacts.data(),
+                                  .loaded = contact_state.loaded.data(),
+                                  .loads = loads.data(),
+                                  .particles = particles.data()};
   const auto kernel = kernels<Numerics>().gather;
   const auto sum = ordered_sum<MotionSum>(
       particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });

@@ -52,8 +52,8 @@ double shrinkage(const Triangle& now, const Triangle& then) {
 }
 
 double shrinkage_bound(const Triangle& now, const Triangle& then) {
-  return strain_between(then,
-                        now);  // sigma_min(F) >= 1 - |F - I|, and Frobenius' norm bounds the spectral one
+  // sigma_min(F) >= 1 - |F - I| in the spectral norm, which the Frobenius norm of strain_between bounds.
+  return strain_between(then, now);
 }
 
 bool is_time_to_ask(const PairList& list, std::int64_t step) {

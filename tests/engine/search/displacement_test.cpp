@@ -170,7 +170,7 @@ TEST(ListIsComplete, NeverWhileAnyPairTouchesUnlisted) {
 }
 
 // What is watched in every step bounds what is measured, however cell and particles have moved.
-TEST(WatchWear, SuspectsEveryListThatIsWorn) {
+TEST(AddDisplacement, SuspectsEveryListThatIsWorn) {
   EXPECT_TRUE(test::holds(1000, [] {
     Dice dice(test::any_seed());
     test::RandomPacking wanted;
