@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <limits>
 
+#include "engine/monitor/audit.h"
+#include "engine/monitor/stability.h"
 #include "tests/engine/phases/crystal.h"
 #include "tests/engine/support/setups.h"
 
