@@ -83,7 +83,7 @@ TYPED_TEST(EnergyLedger, ClosesWhileTheCellMoves) {
     const double quarter = gap_of_a_squeeze<TypeParam>(0.25 * paper_step, affine);
     // A spring that begins between two steps misses k dt^2/(6 m_eff) of the energy of its collision, on the
     // average over phases; a collision takes 1 - e^2 of it.
-    const double missed = paper_step * paper_step / (6 * reduced_mass(0.5, 0.5)) / (1 - 0.667 * 0.667);
+    const double missed = paper_step * paper_step / (6 * reduced_mass_of(0.5, 0.5)) / (1 - 0.667 * 0.667);
     EXPECT_LT(gap, TypeParam::synchronized ? 2 * missed : 2e-2);
     EXPECT_GT(gap, 3 * quarter);
   }

@@ -41,7 +41,7 @@ struct Outcome {
 template <class Law>
 Outcome collide(const HookeConstants& constants, double step, double normal_speed, double tangential_speed,
                 double radius_i, double radius_j) {
-  const double duration = HeadOn{constants.normal_damping, reduced_mass(radius_i, radius_j)}.duration();
+  const double duration = HeadOn{constants.normal_damping, reduced_mass_of(radius_i, radius_j)}.duration();
   Outcome mean;
   for (const Phase& phase : phases_of_a_collision(duration, step)) {
     const Bounce b = bounce(model_of<Law>(constants, phase.time_step),

@@ -12,7 +12,7 @@ namespace {
 constexpr double radius = 0.5;
 constexpr double squeeze = 0.02;                       // overlap of both contacts [d_s]
 constexpr double length = 2 * (2 * radius - squeeze);  // of the cell along x [d_s]
-const double mass = reduced_mass(radius, radius);
+const double mass = reduced_mass_of(radius, radius);
 
 /// Two equal spheres in a row in a cell so short that they touch on both sides, the second time through the
 /// face; `shift` is how much further than half the cell they are apart.

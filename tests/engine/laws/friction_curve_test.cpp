@@ -131,7 +131,7 @@ class PairModel {
 // The reference itself, where closed forms exist: no slip, and gross sliding.
 TEST(PairModel, AgreesWithTheClosedForms) {
   for (double damping : {0.0, 0.5}) {
-    const double mass = reduced_mass(0.5, 0.5);
+    const double mass = reduced_mass_of(0.5, 0.5);
     const HeadOn normal{damping, mass};
     EXPECT_NEAR(PairModel(mass, damping, 1e30).slip_after(1),
                 Sticking::of(damping, mass).slip(normal.duration()), 1e-10);
@@ -154,7 +154,7 @@ TYPED_TEST(NightlyFrictionCurve, FollowsThePairModel) {
   constexpr double speed = 1e-5;
   const double step = TypeParam::synchronized ? paper_step : paper_step / 2;
   for (double radius : {0.5, 2.5}) {
-    const double mass = reduced_mass(0.5, radius);
+    const double mass = reduced_mass_of(0.5, radius);
     for (double friction : {0.01, 0.1, 0.3, 0.5}) {
       const HookeConstants constants{.friction = friction};
       PairModel pair(mass, constants.normal_damping, friction);

@@ -14,7 +14,7 @@ constexpr double speed = 1e-3;
 
 struct Sizes {
   double i, j;  ///< radii [d_s]
-  HeadOn closed_form() const { return {HookeConstants{}.normal_damping, reduced_mass(i, j)}; }
+  HeadOn closed_form() const { return {HookeConstants{}.normal_damping, reduced_mass_of(i, j)}; }
 };
 // Small-small, small-large of size ratio 2 and 40, large-large of size ratio 2 and 3.
 constexpr Sizes every_size[] = {{0.5, 0.5}, {0.5, 1}, {0.5, 20}, {1, 1}, {1.5, 1.5}};
@@ -70,7 +70,7 @@ TYPED_TEST(HeadOnCollision, WithoutDampingIsElasticAtThePaperStep) {
 
 // T2: undamped, the rms error of e is of second order in the step.
 TYPED_TEST(HeadOnCollision, WithoutDampingIsElasticToSecondOrder) {
-  const double duration = HeadOn{0, reduced_mass(0.5, 0.5)}.duration();
+  const double duration = HeadOn{0, reduced_mass_of(0.5, 0.5)}.duration();
   const auto rms = [&](double step) {
     return restitution_error<TypeParam>({.normal_damping = 0}, every_size[0], duration, step, 1).rms;
   };
@@ -83,7 +83,7 @@ TYPED_TEST(HeadOnCollision, WithoutDampingStoresTheKineticEnergyInTheOverlap) {
   for (const Sizes& sizes : every_size) {
     const Bounce b = bounce(model_of<TypeParam>(constants), {.velocity = {-speed, 0, 0}, .radius = sizes.i},
                             {.radius = sizes.j}, 0.5);
-    EXPECT_NEAR(b.largest_overlap / (speed * std::sqrt(reduced_mass(sizes.i, sizes.j))), 1, 1e-3);
+    EXPECT_NEAR(b.largest_overlap / (speed * std::sqrt(reduced_mass_of(sizes.i, sizes.j))), 1, 1e-3);
   }
 }
 
@@ -144,7 +144,7 @@ TYPED_TEST(HeadOnCollision, WithoutAttractionFollowsItsOwnClosedForm) {
 // S = (gamma^2/4 - k/m_eff)^(1/2); they never part.
 TYPED_TEST(HeadOnCollision, OverdampedSpheresCreepBackWithoutParting) {
   constexpr double radius = 20;
-  const HeadOn exact{HookeConstants{}.normal_damping, reduced_mass(radius, radius)};
+  const HeadOn exact{HookeConstants{}.normal_damping, reduced_mass_of(radius, radius)};
   const HeadOn motion = TypeParam::synchronized ? exact : exact.lagged(paper_step);
   const double s = std::sqrt(motion.damping * motion.damping / 4 - 1 / motion.mass);
   const double slow = 1 / (motion.mass * (motion.damping / 2 + s));  // gamma/2 - S without cancellation

@@ -29,7 +29,7 @@ Touch<double> touch_at_rest(double overlap) {
   t.branch = {t.distance, 0, 0};
   t.overlap = overlap;
   t.radius_i = t.radius_j = 0.5;
-  t.reduced_mass = reduced_mass(0.5, 0.5);
+  t.reduced_mass = reduced_mass_of(0.5, 0.5);
   t.time_step = time_step;
   return t;
 }

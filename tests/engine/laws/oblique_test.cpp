@@ -22,7 +22,7 @@ TYPED_TEST(ObliqueCollision, GrossSlidingTakesTheImpulseOfCoulomb) {
   constexpr double speed = 1e-4;
   constexpr double friction = 0.05;
   for (double radius : {0.5, 2.5, 20.0}) {
-    const double mass = reduced_mass(0.5, radius);
+    const double mass = reduced_mass_of(0.5, radius);
     for (const double damping : {0.5, 0.0}) {
       const HookeConstants constants{
           .normal_damping = damping, .tangential_damping = damping, .friction = friction};
@@ -42,7 +42,7 @@ TYPED_TEST(ObliqueCollision, GrossSlidingTakesTheImpulseOfCoulomb) {
 TYPED_TEST(ObliqueCollision, WithoutSlidingTheSurfacesSpringBack) {
   constexpr double speed = 1e-5;
   for (double radius : {0.5, 2.5, 20.0}) {
-    const double mass = reduced_mass(0.5, radius);
+    const double mass = reduced_mass_of(0.5, radius);
     for (double damping : {0.0, 0.5}) {
       const HookeConstants constants{
           .normal_damping = damping, .tangential_damping = damping, .friction = no_sliding};

@@ -89,9 +89,10 @@ void expect_steady_rolling(int turns) {
   orbit.run().advance(steps);  // comes to its own rest
   const double energy = orbit.energy();
   const double momentum = orbit.angular_momentum();
-  const double held = Law::synchronized ? reduced_mass(radius, radius) * HookeConstants{}.tangential_damping *
-                                              orbit.distance * std::pow(rate, 3) * std::pow(paper_step, 2) / 4
-                                        : 0;
+  const double held = Law::synchronized
+                          ? reduced_mass_of(radius, radius) * HookeConstants{}.tangential_damping *
+                                orbit.distance * std::pow(rate, 3) * std::pow(paper_step, 2) / 4
+                          : 0;
   EXPECT_LT(held, 1e-10);
   for (int n = 0; n < 100 * turns; ++n) {
     orbit.run().advance(steps / 100);

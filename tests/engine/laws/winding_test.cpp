@@ -18,7 +18,7 @@ class Sliding : public testing::Test {
     touch.branch = {touch.distance, 0, 0};
     touch.overlap = overlap;
     touch.radius_i = touch.radius_j = radius;
-    touch.reduced_mass = reduced_mass(radius, radius);
+    touch.reduced_mass = reduced_mass_of(radius, radius);
     touch.midway.velocity = touch.now.velocity = {0, slip, 0};
     touch.time_step = paper_step;
     limit = friction * overlap;

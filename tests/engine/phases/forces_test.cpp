@@ -98,7 +98,7 @@ TEST(Friction, NeverExceedsCoulombInAPacking) {
       const Vec3<double> n = c.branch * (1 / norm(c.branch));
       const double normal = dot(c.force, n);
       const double damping = HookeConstants{}.tangential_damping *
-                             reduced_mass(p.radius[c.i], p.radius[c.j]) *
+                             reduced_mass_of(p.radius[c.i], p.radius[c.j]) *
                              norm(p.velocity[c.i] - p.velocity[c.j]);
       const double rounding = 2e-15 * norm(c.force) + 1e-15 * friction * damping;
       ASSERT_LE(norm(c.force - normal * n), friction * std::abs(normal) + rounding);

@@ -51,7 +51,7 @@ constexpr HookeConstants damped{
 
 Vec3<double> seen_velocity(const Packing& p, const Contact& c) {
   const Vec3<double> n = c.branch * (1 / norm(c.branch));
-  return (c.overlap * n - c.force) * (1 / (damping * reduced_mass(p.radius[c.i], p.radius[c.j])));
+  return (c.overlap * n - c.force) * (1 / (damping * reduced_mass_of(p.radius[c.i], p.radius[c.j])));
 }
 
 template <class Law>

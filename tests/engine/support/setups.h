@@ -22,7 +22,7 @@ struct Ball {
 
 inline double mass_of(double radius) { return sphere_volume(radius); }
 inline double inertia_of(double radius) { return sphere_inertia(mass_of(radius), radius); }
-inline double reduced_mass(double a, double b) { return 1 / (1 / mass_of(a) + 1 / mass_of(b)); }
+inline double reduced_mass_of(double a, double b) { return 1 / (1 / mass_of(a) + 1 / mass_of(b)); }
 
 inline Triangle cube(double length) { return {length, length, length, 0, 0, 0}; }
 
