@@ -17,7 +17,7 @@ std::string real_text(double value) {
   return text;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   std::string text = "\"";
   for (const char letter : word) {
     const auto code = static_cast<unsigned char>(letter);
@@ -35,7 +35,7 @@ std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(int value) { return std::to_string(value); }
 std::string text_of(std::int64_t value) { return std::to_string(value); }
 std::string text_of(double value) { return real_text(value); }
-std::string text_of(const std::string& value) { return quoted(value); }
+std::string text_of(const std::string& value) { return in_quotes(value); }
 
 std::string text_of(const std::vector<double>& values) {
   if (values.size() == 1) return real_text(values.front());
@@ -109,7 +109,7 @@ std::string allowed_text(const Key& key) {
     text = std::holds_alternative<bool*>(field) ? "true or false" : "any text in quotes";
   }
   if (std::holds_alternative<std::vector<double>*>(field)) text += ", one number or a list of them";
-  if (!key.when_empty.empty()) text = fmt::format("{} or {}", quoted(key.when_empty), text);
+  if (!key.when_empty.empty()) text = fmt::format("{} or {}", in_quotes(key.when_empty), text);
   return text;
 }
 
@@ -126,7 +126,7 @@ std::string type_text(const Key& key) {
   };
   Case defaults;
   const std::string type = std::visit(Name{}, key.field(defaults));
-  return key.when_empty.empty() ? type : fmt::format("{} or {}", type, quoted(key.when_empty));
+  return key.when_empty.empty() ? type : fmt::format("{} or {}", type, in_quotes(key.when_empty));
 }
 
 std::string value_text(const Key& key, const Case& c) {
@@ -136,7 +136,7 @@ std::string value_text(const Key& key, const Case& c) {
     using Value = std::decay_t<decltype(*field)>;
     if constexpr (std::is_same_v<Value, std::optional<int>> || std::is_same_v<Value, std::optional<double>>) {
       if (field->has_value()) return text_of(**field);
-      return key.when_empty.empty() ? std::string{} : quoted(key.when_empty);
+      return key.when_empty.empty() ? std::string{} : in_quotes(key.when_empty);
     } else {
       return text_of(*field);
     }

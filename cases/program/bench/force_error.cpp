@@ -36,15 +36,8 @@ struct FreshLaw {
   HookeConstants constants;
   bool spins, legacy;
 
-  explicit FreshLaw(const AnyLaw& any) {
-    std::visit(
-        [&](const auto& law) {
-          constants = law.constants;
-          spins = law.spins;
-          legacy = !law.synchronized;
-        },
-        any);
-  }
+  explicit FreshLaw(const AnyLaw& law)
+      : constants(constants_of(law)), spins(has_friction(law)), legacy(!arms_meet(law)) {}
 
   /// Force on i of a contact without history. Beyond the Coulomb limit the legacy law, as LAMMPS, lets a
   /// fresh contact slide without friction.

@@ -33,10 +33,6 @@ std::string quoted(const std::string& text) {
   return word + "'";
 }
 
-const HookeConstants& constants_of(const Model& model) {
-  return std::visit([](const auto& law) -> const HookeConstants& { return law.constants; }, model.law);
-}
-
 /// The bath of `fix nph/sphere`, whose inertia is W = (N + 1) T Pdamp^2; no bath in a fixed cell.
 std::string bath(const Packing& packing, const Model& model) {
   const Barostat& b = model.barostat;
@@ -48,7 +44,7 @@ std::string bath(const Packing& packing, const Model& model) {
 }
 
 std::string law(const Model& model) {
-  const HookeConstants& c = constants_of(model);
+  const HookeConstants& c = constants_of(model.law);
   if (c.friction == 0)
     return fmt::format("pair_style gran/hooke/history 1.0 0.0 {} 0.0 0.0 0", c.normal_damping);
   return fmt::format("pair_style gran/hooke/history 1.0 {} {} {} {} 1", c.tangential_stiffness,

@@ -102,8 +102,4 @@ Model model_for(const ModelChoice& choice, const Packing& packing) {
   return model_of(c, packing);
 }
 
-bool has_friction(const Model& model) {
-  return std::visit([](const auto& law) { return law.spins; }, model.law);
-}
-
 }  // namespace furnas

@@ -48,7 +48,4 @@ struct ModelChoice {
 /// The model for a packing. Throws InputError for what no case may say.
 Model model_for(const ModelChoice& choice, const Packing& packing);
 
-/// Whether it has spins and histories.
-bool has_friction(const Model& model);
-
 }  // namespace furnas

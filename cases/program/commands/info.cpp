@@ -10,7 +10,7 @@
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/detail/abi_macros.hpp>
 #include <ostream>
 
 #include "cases/program/build_info.h"
