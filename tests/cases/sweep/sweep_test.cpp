@@ -81,7 +81,7 @@ class Sweeps : public testing::Test {
   }
   /// Waits until a sample of the sweep has been saved.
   bool saved(const std::string& out) const {
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < 24'000; ++n) {
       if (fs::exists(path(out) + "/samples"))
         for (const auto& entry : fs::recursive_directory_iterator(path(out) + "/samples"))
           if (entry.path().filename() == "b.checkpoint") return true;
