@@ -2,7 +2,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -33,7 +32,7 @@ class Process {
   /// Whether it still runs.
   bool runs();
   /// Waits for its end; kills it after a time in which it must have ended.
-  Ending wait(std::chrono::seconds limit = std::chrono::seconds(120));
+  Ending wait();
 
  private:
   pid_t pid_ = -1;

@@ -175,10 +175,16 @@ TEST(NightlyPublished, BidisperseWithoutFriction) {
   expect_phi(e, 0.644, 0.648, 0.635, 0.655);
 }
 
-/// What the protocol does: the inertia of the cell and its drag.
+/// phi_J of equal spheres in the study (arXiv 2105.00977, the text on its Fig. 2). The paper does not give
+/// the inertia and the drag of its cell; it refers to an earlier paper.
+constexpr double published_without_friction = 0.638;
+constexpr double published_with_friction = 0.588;  ///< of 0.3
+
+/// Inertia and drag of the cell move phi_J by less than 0.01 from the published value (docs/verification.md
+/// has the table).
 class CellProtocol : public testing::TestWithParam<const char*> {};
 
-TEST_P(CellProtocol, MovesPhiByLessThanTwoHundredths) {
+TEST_P(CellProtocol, KeepsPhiWithinAHundredthOfThePublished) {
   for (const char* friction : {"0.3", "0"}) {
     const bool smooth = std::string(friction) == "0";
     const Ensemble e = ensemble_of({fmt::format("mono_1000_mu_{}_{}", friction, GetParam()),
@@ -186,7 +192,8 @@ TEST_P(CellProtocol, MovesPhiByLessThanTwoHundredths) {
                                     {fmt::format("compaction.{}", GetParam())},
                                     smooth ? 2 : 3});
     EXPECT_EQ(e.jammed, smooth ? 2 : 3);
-    EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? 0.6366 : 0.5911, 0.02);
+    EXPECT_NEAR(mean_interval(e.phi).mean, smooth ? published_without_friction : published_with_friction,
+                0.01);
     expect_closed_ledger(e);
   }
 }

@@ -66,7 +66,7 @@ double seconds(double speed) {
 
 // T64: they cost what other numbers cost, within a factor of 2 (before: 43). The fastest of several runs,
 // taken in turn, for other programs disturb some.
-TEST(Denormals, CostWhatOtherNumbersCost) {
+TEST(NightlyDenormals, CostWhatOtherNumbersCost) {
   for (double speed : {1e-310, 1e-320, 1e-160}) {
     double usual = std::numeric_limits<double>::infinity();
     double tiny = usual;

@@ -81,7 +81,7 @@ class Sweeps : public testing::Test {
   }
   /// Waits until a sample of the sweep has been saved.
   bool saved(const std::string& out) const {
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < 24'000; ++n) {
       if (fs::exists(path(out) + "/samples"))
         for (const auto& entry : fs::recursive_directory_iterator(path(out) + "/samples"))
           if (entry.path().filename() == "b.checkpoint") return true;
@@ -210,13 +210,13 @@ TEST(NightlySweep, TheSmokeStudyMakesAllFigures) {
   const TemporaryFolder folder;
   const std::string out = (folder / "smoke").string();
   Process run({"sweep", std::string(FURNAS_SOURCE_DIR) + "/cases/study/smoke.toml", "--out", out});
-  ASSERT_EQ(run.wait(std::chrono::minutes(10)).code, 0);
+  ASSERT_EQ(run.wait().code, 0);
   const SampleTable table = read_sample_table(out);
   EXPECT_EQ(table.rows.size(), 46u);
   EXPECT_GE(std::count_if(table.rows.begin(), table.rows.end(), [](const auto& row) { return row.jammed(); }),
             40);
   Process draw({"figures", out});
-  ASSERT_EQ(draw.wait(std::chrono::minutes(5)).code, 0);
+  ASSERT_EQ(draw.wait().code, 0);
   for (const char* name : {"figure_1b", "figure_2a", "figure_2b", "figure_3a", "figure_3b",
                            "figure_4_alpha_2", "figure_4_alpha_3"})
     EXPECT_TRUE(fs::exists(out + "/figures/" + name + ".png")) << name;

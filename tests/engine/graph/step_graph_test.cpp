@@ -134,14 +134,16 @@ TEST(StepGraph, KeepsTheTimeOfEachPhaseWhenAsked) {
   step.phase_when(open, "gated", increment, runs);
   std::vector<PhaseTime> times{{1, 1}};
   step.keep_times(&times);
+  const auto begin = std::chrono::steady_clock::now();
   step.run_in_order();
   open = true;
   tbb::task_arena(2).execute([&] { step.run_as_graph(); });
+  const std::chrono::duration<double> both_runs = std::chrono::steady_clock::now() - begin;
   ASSERT_EQ(times.size(), 2U);
   EXPECT_EQ(times[0].runs, 2);
   EXPECT_EQ(times[1].runs, 1);
   EXPECT_GE(times[0].seconds, 4e-3);
-  EXPECT_LT(times[1].seconds, times[0].seconds);
+  EXPECT_LE(times[0].seconds + times[1].seconds, both_runs.count());
   step.keep_times(nullptr);
   step.run_in_order();
   EXPECT_EQ(times[0].runs, 2);
