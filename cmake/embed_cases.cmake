@@ -26,9 +26,7 @@ std::span<const CaseTemplate> case_templates() {
 ]])
 
 string(TOUPPER "${CMAKE_BUILD_TYPE}" furnas_build_type)
-get_target_property(furnas_options furnas_flags INTERFACE_COMPILE_OPTIONS)
-list(FILTER furnas_options EXCLUDE REGEX "^-W|^\\$<")
-list(JOIN furnas_options " " furnas_options)
+list(JOIN furnas_arithmetic " " furnas_options)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${furnas_build_type}} ${furnas_options}" furnas_build_flags)
 configure_file(${PROJECT_SOURCE_DIR}/cases/program/build_info.cpp.in ${PROJECT_BINARY_DIR}/generated/build_info.cpp @ONLY)
 

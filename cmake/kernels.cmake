@@ -2,7 +2,6 @@
 # the standard library would be compiled for the wrong processor and could take the place of the ordinary ones.
 function(furnas_kernels set)
   add_library(furnas_kernels_${set} OBJECT ${PROJECT_SOURCE_DIR}/engine/kernels/all_kernels.cpp)
-  target_link_libraries(furnas_kernels_${set} PRIVATE furnas_flags)
   target_compile_definitions(furnas_kernels_${set} PRIVATE FURNAS_KERNELS=kernels_for_${set})
   target_compile_options(furnas_kernels_${set} PRIVATE -O2 -fno-tree-vectorize ${ARGN}
                          # GCC 12 warns of its own AVX-512 intrinsics.
@@ -16,6 +15,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   furnas_kernels(avx512 -march=skylake-avx512)
 endif()
 target_link_libraries(furnas_engine PRIVATE hwy::hwy)
+
+furnas_headers(furnas_kernels_scalar ${furnas_kernel_headers})
 
 # The test of what the objects may define.
 function(furnas_test_kernels set)

@@ -47,15 +47,31 @@ void AtomicFile::write(std::string_view bytes) {
   if (buffer_.size() >= buffer_size) flush();
 }
 
+void AtomicFile::overwrite(std::uint64_t at, std::string_view bytes) {
+  require(descriptor_ >= 0, "a committed file takes no more bytes");
+  require(at <= size() && bytes.size() <= size() - at, "only bytes that were written can be overwritten");
+  if (at >= flushed_) {
+    buffer_.replace(static_cast<std::size_t>(at - flushed_), bytes.size(), bytes);
+    return;
+  }
+  flush();
+  write_at(at, bytes);
+}
+
 void AtomicFile::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+  write_at(flushed_, buffer_);
+  flushed_ += buffer_.size();
+  buffer_.clear();
+}
+
+void AtomicFile::write_at(std::uint64_t at, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("cannot write the file");
-    rest.remove_prefix(static_cast<std::size_t>(written));
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    at += static_cast<std::uint64_t>(written);
   }
-  buffer_.clear();
 }
 
 void AtomicFile::commit() {

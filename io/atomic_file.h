@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -27,19 +28,25 @@ class AtomicFile {
   /// Appends bytes; throws OutputError.
   void write(std::string_view bytes);
 
-  /// The name while it is being written, for a library that must open the file by itself.
-  const std::filesystem::path& temporary() const { return temporary_; }
+  /// Bytes written so far.
+  std::uint64_t size() const { return flushed_ + buffer_.size(); }
+
+  /// Puts other bytes in the place of some that were written, `at` bytes after the beginning: numbers that
+  /// are known only when what follows them is. Throws OutputError.
+  void overwrite(std::uint64_t at, std::string_view bytes);
 
   /// Makes the file durable under its name; throws OutputError. Nothing may be written afterwards.
   void commit();
 
  private:
   void flush();
+  void write_at(std::uint64_t at, std::string_view bytes);
   [[noreturn]] void fail(const char* what) const;
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
-  std::string buffer_;
+  std::string buffer_;         ///< bytes that follow those the system has
+  std::uint64_t flushed_ = 0;  ///< bytes that the system has
   int descriptor_ = -1;
 };
 

@@ -103,7 +103,7 @@ std::string allowed_text(const Key& key) {
     text = range_text(*range, key.name);
   } else if (const auto* choices = std::get_if<Choices>(&key.allowed)) {
     std::vector<std::string> words(choices->size());
-    std::transform(choices->begin(), choices->end(), words.begin(), quoted);
+    std::transform(choices->begin(), choices->end(), words.begin(), in_quotes);
     text = fmt::format("{}", fmt::join(words, " or "));
   } else {
     text = std::holds_alternative<bool*>(field) ? "true or false" : "any text in quotes";

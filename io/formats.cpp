@@ -13,8 +13,7 @@
 #include "io/lammps_data.h"
 #include "io/lammps_dump.h"
 #include "io/text_reader.h"
-#include "io/vtk_xml.h"
-#include "io/vtp_reader.h"
+#include "io/vtp_packing.h"
 
 namespace furnas {
 namespace {

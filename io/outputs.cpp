@@ -1,7 +1,7 @@
 #include "io/outputs.h"
 
 #include "io/formats.h"
-#include "io/vtk_xml.h"
+#include "io/vtp_packing.h"
 
 namespace furnas {
 namespace {

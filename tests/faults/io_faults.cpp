@@ -80,6 +80,14 @@ int open_file(const char* name, const char* path, int flags, mode_t mode) {
   return descriptor;
 }
 
+/// Writes, or as much as there is room for.
+template <class Write>
+ssize_t write_with(Write real, int descriptor, const void* bytes, size_t size) {
+  if (!counts(descriptor) || !fails(true)) return real(descriptor, bytes, size);
+  const ssize_t half = real(descriptor, bytes, size / 2);
+  return error != 0 && half > 0 ? half : failure();
+}
+
 struct Report {
   ~Report() {
     const char* path = std::getenv("FURNAS_FAULT_COUNT");
@@ -114,13 +122,13 @@ int open64(const char* path, int flags, ...) {
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
   const auto real = next<ssize_t(int, const void*, size_t)>("write");
-  if (counts(descriptor) && fails(true)) {
-    // As much as there was room for.
-    [[maybe_unused]] const ssize_t half = real(descriptor, bytes, size / 2);
-    if (error != 0 && half > 0) return half;
-    return failure();
-  }
-  return real(descriptor, bytes, size);
+  return write_with(real, descriptor, bytes, size);
+}
+
+ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t at) {
+  const auto real = next<ssize_t(int, const void*, size_t, off_t)>("pwrite");
+  const auto there = [&](int file, const void* from, size_t count) { return real(file, from, count, at); };
+  return write_with(there, descriptor, bytes, size);
 }
 
 int fsync(int descriptor) {

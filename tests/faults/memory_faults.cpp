@@ -3,12 +3,10 @@
 //   FURNAS_FAULT_AFTER   requests are counted from the first fopen() of a file whose name ends so
 //   FURNAS_FAULT_AT      which of them fails, counted from 1; 0: none
 //   FURNAS_FAULT_LASTS   if set, all later requests for as much or more fail, too, but for those
-//                        below 4 kB, without which VTK aborts in its own destructors
+//                        below 4 kB, which a sentence about it takes
 //   FURNAS_FAULT_COUNT   a file for the number of requests, when the process ends
-//   FURNAS_FAULT_VTK     a file that appears when the last request that failed was made within VTK
 
 #include <dlfcn.h>
-#include <execinfo.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -40,8 +38,6 @@ bool lasts = false;
 __attribute__((constructor)) void set_up() {
   if (const char* at = std::getenv("FURNAS_FAULT_AT")) fails_at = std::atol(at);
   lasts = std::getenv("FURNAS_FAULT_LASTS") != nullptr;
-  std::array<void*, 1> frame{};
-  ::backtrace(frame.data(), 1);  // the first one loads a library, and asks for memory itself
 }
 
 __attribute__((destructor)) void report() {
@@ -55,34 +51,12 @@ __attribute__((destructor)) void report() {
   ::syscall(SYS_close, descriptor);
 }
 
-bool within_vtk() {
-  std::array<void*, 64> frames{};
-  const int depth = ::backtrace(frames.data(), static_cast<int>(frames.size()));
-  return std::any_of(frames.begin(), frames.begin() + depth, [](void* frame) {
-    Dl_info info{};
-    return ::dladdr(frame, &info) != 0 && info.dli_fname != nullptr && std::strstr(info.dli_fname, "libvtk");
-  });
-}
-
-/// The process may end at any moment after this.
-void tell_where() {
-  const char* path = std::getenv("FURNAS_FAULT_VTK");
-  if (!path) return;
-  if (!within_vtk())
-    ::syscall(SYS_unlink, path);
-  else
-    ::syscall(SYS_close, ::syscall(SYS_open, path, O_WRONLY | O_CREAT, 0666));
-}
-
 bool fails(size_t size) {
   if (!armed) return false;
   const long request = ++requests;
   if (fails_at == 0 || request < fails_at) return false;
   if (request == fails_at) largest = std::max(size, size_t{4096});
   if (request > fails_at && !(lasts && size >= largest)) return false;
-  armed = false;
-  tell_where();
-  armed = true;
   errno = ENOMEM;
   return true;
 }

@@ -17,7 +17,7 @@
 #include "io/frames_pvd.h"
 #include "io/lammps_data.h"
 #include "io/lammps_dump.h"
-#include "io/vtp_reader.h"
+#include "io/vtp_packing.h"
 
 namespace furnas {
 namespace {

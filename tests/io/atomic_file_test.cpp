@@ -19,6 +19,25 @@ TEST(ReliableAtomicFile, AppearsCompleteUnderItsName) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
+/// In the buffer, on the disk, and across the border of both.
+TEST(ReliableAtomicFile, OverwritesWhatWasWritten) {
+  const TemporaryFolder folder;
+  const std::size_t flushed = 1'500'000;  // more than the buffer
+  std::string expected = std::string(flushed, 'a') + "bcdef";
+  AtomicFile file(folder / "a.txt");
+  file.write(expected.substr(0, flushed));
+  file.write("bcdef");
+  ASSERT_EQ(file.size(), expected.size());
+  for (const std::size_t at : {flushed + 3, std::size_t{0}, flushed - 1, flushed / 2}) {
+    file.overwrite(at, "12");
+    expected.replace(at, 2, "12");
+  }
+  file.write("g");
+  EXPECT_THROW(file.overwrite(expected.size(), "12"), ContractError);
+  file.commit();
+  EXPECT_EQ(content(folder / "a.txt"), expected + "g");
+}
+
 TEST(ReliableAtomicFile, LeavesTheOldFileUnlessCommitted) {
   const TemporaryFolder folder;
   write_file(folder / "a.txt", "old");

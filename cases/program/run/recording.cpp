@@ -10,7 +10,7 @@
 #include "engine/base/require.h"
 #include "engine/monitor/faults.h"
 #include "io/atomic_file.h"
-#include "io/vtk_xml.h"
+#include "io/vtp_packing.h"
 
 namespace furnas {
 namespace {

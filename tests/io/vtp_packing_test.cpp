@@ -1,11 +1,4 @@
-#include "io/vtk_xml.h"
-
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
+#include "io/vtp_packing.h"
 
 #include "io/vtp_reader.h"
 #include "tests/io/packings.h"
@@ -13,15 +6,7 @@
 namespace furnas {
 namespace {
 
-/// What VTK itself, and so ParaView, finds in a file.
-vtkSmartPointer<vtkPolyData> read_poly_data(const std::filesystem::path& path) {
-  const auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-TEST(VtkXml, ParticlesRoundTrip) {
+TEST(VtpPacking, ParticlesRoundTrip) {
   const TemporaryFolder folder;
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Packing p = random_packing(seed);
@@ -39,18 +24,15 @@ TEST(VtkXml, ParticlesRoundTrip) {
   }
 }
 
-TEST(VtkXml, ParticlesHaveVertexCellsAndCoordination) {
+TEST(VtpPacking, CoordinationCountsContacts) {
   const TemporaryFolder folder;
   const Packing p = random_packing(1);
   write_vtp(p, folder / "a.vtp");
-  const auto data = read_poly_data(folder / "a.vtp");
-  EXPECT_EQ(data->GetNumberOfVerts(), 40);
-  double sum = 0;
-  for (vtkIdType k = 0; k < 40; ++k) sum += data->GetPointData()->GetArray("coordination")->GetTuple1(k);
-  EXPECT_EQ(sum, 2.0 * static_cast<double>(p.contacts.size()));
+  const auto count = VtpReader(folder / "a.vtp").numbers("PointData", "coordination", 40, 1);
+  EXPECT_EQ(std::accumulate(count.begin(), count.end(), 0.0), 2.0 * static_cast<double>(p.contacts.size()));
 }
 
-TEST(VtkXml, ContactsAreLinesAlongTheBranch) {
+TEST(VtpPacking, ContactsAreLinesAlongTheBranch) {
   const TemporaryFolder folder;
   Packing p = random_packing(2, 2);
   p.contacts.assign(1, {});
@@ -58,48 +40,44 @@ TEST(VtkXml, ContactsAreLinesAlongTheBranch) {
   c.i = 1, c.j = 0, c.overlap = 0.25, c.sliding = true;
   c.branch = {0, 2, 0}, c.force = {3, 5, 4};
   write_contacts_vtp(p, folder / "contacts.vtp");
-  const auto data = read_poly_data(folder / "contacts.vtp");
-  ASSERT_EQ(data->GetNumberOfLines(), 1);
-  double a[3], b[3];
-  data->GetPoint(0, a), data->GetPoint(1, b);
-  EXPECT_EQ((Vec3<double>{a[0], a[1], a[2]}), p.position(1));
-  EXPECT_NEAR(a[1] - b[1], 2, 1e-14);
-  const auto value = [&](const char* name) { return data->GetCellData()->GetArray(name)->GetTuple1(0); };
+  VtpReader file(folder / "contacts.vtp");
+  const std::vector<double> ends = file.numbers("Points", "Points", 2, 3);
+  EXPECT_EQ((Vec3<double>{ends[0], ends[1], ends[2]}), p.position(1));
+  EXPECT_NEAR(ends[1] - ends[4], 2, 1e-14);
+  const auto value = [&](const char* name) { return file.numbers("CellData", name, 1, 1)[0]; };
   EXPECT_EQ(value("i"), 2);
   EXPECT_EQ(value("j"), 1);
   EXPECT_EQ(value("normal_force"), 5);
   EXPECT_EQ(value("tangential_force"), 5);
   EXPECT_EQ(value("overlap"), 0.25);
   EXPECT_EQ(value("sliding"), 1);
-  EXPECT_EQ(data->GetCellData()->GetArray("force")->GetComponent(0, 2), 4);
+  EXPECT_EQ(file.numbers("CellData", "force", 1, 3), (std::vector<double>{3, 5, 4}));
 }
 
-TEST(VtkXml, NoContactsMakeAFileAllTheSame) {
+TEST(VtpPacking, NoContactsMakeAFileAllTheSame) {
   const TemporaryFolder folder;
   Packing p = random_packing(2);
   p.contacts.clear();
   write_contacts_vtp(p, folder / "contacts.vtp");
-  EXPECT_EQ(read_poly_data(folder / "contacts.vtp")->GetNumberOfLines(), 0);
+  VtpReader file(folder / "contacts.vtp");
+  EXPECT_EQ(file.points(), 0U);
+  EXPECT_TRUE(file.numbers("CellData", "force", 0, 3).empty());
 }
 
-TEST(VtkXml, TheCellHasTwelveEdges) {
+TEST(VtpPacking, TheCellHasTwelveEdges) {
   const TemporaryFolder folder;
   const Packing p = random_packing(3);
   const Triangle& h = p.cell.edges;
   write_cell_vtp(p, folder / "cell.vtp");
-  const auto data = read_poly_data(folder / "cell.vtp");
-  ASSERT_EQ(data->GetNumberOfLines(), 12);
+  const std::vector<double> x = VtpReader(folder / "cell.vtp").numbers("Points", "Points", 24, 3);
   double sum = 0;
-  for (vtkIdType k = 0; k < 12; ++k) {
-    double a[3], b[3];
-    data->GetPoint(2 * k, a), data->GetPoint(2 * k + 1, b);
-    sum += norm(Vec3<double>{a[0] - b[0], a[1] - b[1], a[2] - b[2]});
-  }
+  for (std::size_t k = 0; k < x.size(); k += 6)
+    sum += norm(Vec3<double>{x[k] - x[k + 3], x[k + 1] - x[k + 4], x[k + 2] - x[k + 5]});
   EXPECT_NEAR(sum, 4 * (h.xx + norm(Vec3<double>{h.xy, h.yy, 0}) + norm(Vec3<double>{h.xz, h.yz, h.zz})),
               1e-12);
 }
 
-TEST(VtkXml, RefusesWhatIsNoPacking) {
+TEST(VtpPacking, RefusesWhatIsNoPacking) {
   const TemporaryFolder folder;
   const Packing p = random_packing(4);
   write_cell_vtp(p, folder / "cell.vtp");
@@ -113,7 +91,7 @@ TEST(VtkXml, RefusesWhatIsNoPacking) {
   EXPECT_NE(input_error([&] { read_vtp(folder / "c.vtp"); }).find("particle 4"), std::string::npos);
 }
 
-TEST(VtkXml, HugeLengthsAllocateNothing) {
+TEST(VtpPacking, HugeLengthsAllocateNothing) {
   const TemporaryFolder folder;
   write_vtp(random_packing(5), folder / "a.vtp");
   const std::string bytes = content(folder / "a.vtp");
@@ -127,13 +105,13 @@ TEST(VtkXml, HugeLengthsAllocateNothing) {
   }
 }
 
-TEST(VtkXml, SurvivesBeingCut) {
+TEST(VtpPacking, SurvivesBeingCut) {
   const TemporaryFolder folder;
   write_vtp(random_packing(6), folder / "a.vtp");
   expect_no_crash_when_cut(content(folder / "a.vtp"), folder / "b.vtp", read_vtp, 7);
 }
 
-TEST(VtkXml, NamesAFileThatCannotBeWritten) {
+TEST(VtpPacking, NamesAFileThatCannotBeWritten) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_vtp(random_packing(7), folder / "none/a.vtp"), OutputError);
 }

@@ -22,4 +22,8 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
 /// Writes the twelve edges of the cell as lines. Throws OutputError.
 void write_cell_vtp(const Packing& packing, const std::filesystem::path& path);
 
+/// Reads what write_vtp() writes, also after ParaView has saved it in its default way. Needed are the point
+/// array radius and the field array cell (9 numbers); all other arrays are taken if there. Throws InputError.
+Packing read_vtp(const std::filesystem::path& path);
+
 }  // namespace furnas

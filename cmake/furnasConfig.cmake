@@ -1,0 +1,10 @@
+# Read by find_package(furnas): the targets furnas::engine and furnas::io, and what must be linked with them.
+include(CMakeFindDependencyMacro)
+find_dependency(TBB 2021.8)
+find_dependency(Eigen3 3.4)
+find_dependency(hwy)
+find_dependency(fmt)
+find_dependency(tomlplusplus)
+find_dependency(ZLIB)
+find_dependency(zstd)
+include(${CMAKE_CURRENT_LIST_DIR}/furnasTargets.cmake)

@@ -1,0 +1,24 @@
+#include "engine/base/hasher.h"
+
+#define XXH_INLINE_ALL  // here alone: who includes the header may include xxhash.h in another way
+#include <xxhash.h>
+
+namespace furnas {
+
+struct Hasher::State {
+  XXH3_state_t xxh3;
+};
+
+void Hasher::Free::operator()(State* state) const { delete state; }
+
+Hasher::Hasher() : state_(new State) { restart(); }
+
+void Hasher::restart() { XXH3_64bits_reset(&state_->xxh3); }
+
+void Hasher::add_bytes(const void* bytes, std::size_t size) {
+  XXH3_64bits_update(&state_->xxh3, bytes, size);
+}
+
+std::uint64_t Hasher::value() const { return XXH3_64bits_digest(&state_->xxh3); }
+
+}  // namespace furnas

@@ -1,0 +1,32 @@
+# Run as a script: installs the library of the build tree BUILD below PREFIX and looks at what lies there. What needs
+# more than is installed, or asks for our warnings or for VTK, would fail elsewhere only.
+file(REMOVE_RECURSE ${PREFIX})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component library
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB_RECURSE headers ${PREFIX}/include/furnas/*.h)
+list(LENGTH headers count)
+if(count LESS 100)
+  message(SEND_ERROR "only ${count} headers are installed")
+endif()
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} lines REGEX "^ *# *include")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "\"(.*)\"" AND NOT EXISTS ${PREFIX}/include/furnas/${CMAKE_MATCH_1})
+      message(SEND_ERROR "${header} includes ${CMAKE_MATCH_1}, which is not installed")
+    elseif(line MATCHES "<(vtk|hwy|tbb|xxhash|nlohmann|cholmod|Spectra)")
+      message(SEND_ERROR "${header} shows a library that is ours alone: ${line}")
+    endif()
+  endforeach()
+endforeach()
+
+file(GLOB_RECURSE package ${PREFIX}/*.cmake)
+foreach(file IN LISTS package)
+  file(READ ${file} text)
+  foreach(foreign COMPILE_OPTIONS COMPILE_DEFINITIONS -W vtk VTK MPI:: nlohmann Spectra ${SOURCE} /usr/lib/)
+    string(FIND "${text}" "${foreign}" at)
+    if(at GREATER -1)
+      message(SEND_ERROR "${file} speaks of ${foreign}")
+    endif()
+  endforeach()
+endforeach()
