@@ -5,7 +5,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cfenv>
+#include <memory>
 #include <utility>
 
 #include "engine/base/team.h"
@@ -38,8 +40,46 @@ class Arithmetic {
   std::fenv_t before_{};
 };
 
-/// The team that helps this thread, if there is one.
-thread_local Team* team = nullptr;
+/// The team that this thread belongs to, if any, and which of its members it is.
+struct Seat {
+  Team* team = nullptr;
+  int member = 0;
+};
+thread_local Seat seat;
+
+/// While it lives, this thread has another seat.
+class Seated {
+ public:
+  explicit Seated(Seat mine) : before_(std::exchange(seat, mine)) {}
+  ~Seated() { seat = before_; }
+  Seated(const Seated&) = delete;
+  Seated& operator=(const Seated&) = delete;
+
+ private:
+  Seat before_;
+};
+
+/// What a helper does, as a task of oneTBB. A task is handed over inside oneTBB's library, where
+/// ThreadSanitizer does not see it; so whoever makes one and whoever runs one say so here, too.
+class Helper {
+ public:
+  Helper(std::shared_ptr<Team> team, int member) : team_(std::move(team)), member_(member) {}
+  Helper(Helper&& other) noexcept : team_(std::move(other.team_)), member_(other.member_) { hand_over(); }
+  ~Helper() { hand_over(); }
+
+  void operator()() const {
+    hand_over();
+    const Seated here({team_.get(), member_});
+    team_->help(member_);
+  }
+
+ private:
+  static void hand_over() { handed_over.fetch_add(1, std::memory_order_acq_rel); }
+  inline static std::atomic<unsigned> handed_over{0};
+
+  std::shared_ptr<Team> team_;
+  int member_;
+};
 
 }  // namespace
 
@@ -64,19 +104,15 @@ int Workers::threads() const { return arena_->threads; }
 
 void Workers::run(const std::function<void()>& work) {
   // A helper that comes when all is done finds itself dismissed, and the team still there.
-  const auto helped = arena_->threads > 1 ? std::make_shared<Team>(arena_->threads) : nullptr;
-  for (int member = 1; member < arena_->threads; ++member)
-    arena_->helpers.enqueue([helped, member] { helped->help(member); });
+  const auto team = std::make_shared<Team>(arena_->threads);
+  for (int member = 1; member < arena_->threads; ++member) arena_->helpers.enqueue(Helper(team, member));
   int raised = 0;
   arena_->leader.execute([&] {
     struct Lead {
-      Team* mine;
-      Team* before = std::exchange(team, mine);
-      ~Lead() {
-        team = before;
-        if (mine != nullptr) mine->dismiss();
-      }
-    } const lead{helped.get()};
+      Team& team;
+      ~Lead() { team.dismiss(); }
+    } const lead{*team};
+    const Seated here({team.get(), 0});
     work();
     raised = std::fetestexcept(FE_ALL_EXCEPT);
   });
@@ -86,7 +122,7 @@ void Workers::run(const std::function<void()>& work) {
 int available_threads() { return tbb::info::default_concurrency(); }
 
 void detail::run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body) {
-  struct Job {
+  struct Pieces {
     void (*call)(void*, std::size_t);
     void* body;
     void (*delay)();
@@ -94,15 +130,22 @@ void detail::run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), vo
       if (delay != nullptr) delay();
       call(body, chunk);
     }
-  } job{call, body, before_piece.load(std::memory_order_relaxed)};
-  if (chunks > 1 && team != nullptr) {
-    team->run(
-        chunks, [](void* data, std::size_t chunk) { (*static_cast<const Job*>(data))(chunk); }, &job);
-  } else if (chunks > 1 && tbb::this_task_arena::max_concurrency() > 1) {
-    tbb::parallel_for(std::size_t{0}, chunks, job);
+  } pieces{call, body, before_piece.load(std::memory_order_relaxed)};
+  const auto piece = [](void* data, std::size_t chunk) { (*static_cast<const Pieces*>(data))(chunk); };
+  if (chunks > 1 && seat.team != nullptr && seat.team->run(seat.member, chunks, piece, &pieces)) return;
+  if (chunks > 1 && seat.team == nullptr && tbb::this_task_arena::max_concurrency() > 1) {
+    tbb::parallel_for(std::size_t{0}, chunks, pieces);
   } else {
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) job(chunk);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) pieces(chunk);
   }
+}
+
+bool detail::at_work() { return seat.team != nullptr; }
+
+void detail::offer(Job& job) { seat.team->offer(job); }
+
+void detail::help_until_none(const std::atomic<std::size_t>& open) {
+  seat.team->help_until_none(seat.member, open);
 }
 
 }  // namespace furnas

@@ -9,6 +9,8 @@
 
 namespace furnas {
 
+struct Job;
+
 /// The threads that the work of one simulation may use. On all of them arithmetic rounds to nearest and takes
 /// numbers below 1e-308 for zero, whatever the rest of the program has set.
 class Workers {
@@ -37,23 +39,32 @@ namespace detail {
 inline std::atomic<void (*)()> before_piece = nullptr;
 
 void run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body);
+
+/// Whether this thread works for some Workers::run. Only then there is anybody to offer a job to.
+bool at_work();
+
+/// Leaves a job to whichever of these threads is free first.
+void offer(Job& job);
+
+/// Takes part in jobs and in loops until `open` is 0.
+void help_until_none(const std::atomic<std::size_t>& open);
 }  // namespace detail
 
 /// Calls body(begin, end, chunk) for each piece of [0, count) of `size` elements. The pieces depend on
 /// `count` and `size` alone, never on the number of threads.
 template <class Body>
 void for_chunks(std::size_t count, std::size_t size, Body&& body) {
-  struct Job {
+  struct Loop {
     std::size_t count, size;
     Body& body;
-  } job{count, size, body};
+  } loop{count, size, body};
   detail::run_chunks((count + size - 1) / size,
                      [](void* data, std::size_t chunk) {
-                       Job& j = *static_cast<Job*>(data);
-                       const std::size_t begin = chunk * j.size;
-                       j.body(begin, std::min(begin + j.size, j.count), chunk);
+                       Loop& l = *static_cast<Loop*>(data);
+                       const std::size_t begin = chunk * l.size;
+                       l.body(begin, std::min(begin + l.size, l.count), chunk);
                      },
-                     &job);
+                     &loop);
 }
 
 /// The sum of body(begin, end) over the pieces of [0, count), added in the order of the pieces: the

@@ -29,6 +29,18 @@ void wait_until(Condition&& met) {
 
 }  // namespace
 
+void JobQueue::push(Job& job) {
+  job.next = nullptr;
+  (first_ == nullptr ? first_ : last_->next) = &job;
+  last_ = &job;
+}
+
+Job* JobQueue::pop() {
+  Job* const job = first_;
+  if (job != nullptr) first_ = job->next;
+  return job;
+}
+
 Team::Team(int members)
     : members_(members), ranges_(std::make_unique<Range[]>(static_cast<std::size_t>(members))) {
   for (int m = 0; m < members; ++m) ranges_[static_cast<std::size_t>(m)].share = 1.0 / members;
@@ -60,42 +72,65 @@ void Team::learn(std::size_t pieces) {
   }
 }
 
-void Team::help(int member) {
-  std::uint64_t done = 0;
+template <class Condition>
+void Team::help_until(int member, Condition&& met) {
   while (true) {
-    wait_until([&] {
-      const std::uint64_t job = job_;
-      return dismissed_ || (job != done && job % 2 == 0);
-    });
-    if (dismissed_) return;
-    ++busy_;
-    // Closed in the meantime, or not: the leader waits for those who are busy before it changes anything.
-    const std::uint64_t job = job_;
-    if (job % 2 == 0 && job != done) {
-      work(member);
-      done = job;
-    }
-    --busy_;
+    wait_until([&] { return waiting_ != 0 || is_open(loop_, member) || met(); });
+    if (Job* job = take_job())
+      job->call(*job);
+    else if (is_open(loop_, member))
+      join(member);
+    else if (met())
+      return;
   }
 }
 
+void Team::help(int member) {
+  help_until(member, [&] { return dismissed_.load(); });
+}
+
+void Team::help_until_none(int member, const std::atomic<std::size_t>& open) {
+  help_until(member, [&] { return open == 0; });
+}
+
+bool Team::is_open(std::uint64_t loop, int member) const {
+  return loop % 2 == 0 && loop != ranges_[static_cast<std::size_t>(member)].joined;
+}
+
+void Team::join(int member) {
+  ++busy_;
+  // Closed in the meantime, or not: who runs it waits for those who are busy before it changes anything.
+  const std::uint64_t loop = loop_;
+  if (is_open(loop, member)) {
+    ranges_[static_cast<std::size_t>(member)].joined = loop;
+    work(member);
+    // Once for all of them: a line that all write costs as much as a piece of work.
+    const std::size_t done = ranges_[static_cast<std::size_t>(member)].done;
+    if (done != 0) helped_.fetch_add(done, std::memory_order_acq_rel);
+  }
+  --busy_;
+}
+
 void Team::close() {
-  if (job_ % 2 == 0) ++job_;
+  if (loop_ % 2 == 0) ++loop_;
   wait_until([&] { return busy_ == 0; });
 }
 
-void Team::run(std::size_t pieces, void (*call)(void*, std::size_t), void* body) {
-  close();
+bool Team::run(int member, std::size_t pieces, void (*call)(void*, std::size_t), void* body) {
+  if (members_ == 1 || taken_.exchange(true, std::memory_order_acquire)) return false;
   call_ = call;
   body_ = body;
   share_out(pieces);
   helped_ = 0;
-  ++job_;
-  work(0);
-  wait_until([&] { return ranges_[0].done + helped_ == pieces; });
+  ++loop_;
+  work(member);
+  wait_until([&] { return ranges_[static_cast<std::size_t>(member)].done + helped_ == pieces; });
   close();
   learn(pieces);
-  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  const std::exception_ptr failure = std::exchange(failure_, nullptr);
+  taken_.store(false, std::memory_order_release);
+  if (failure) std::rethrow_exception(failure);
+  return true;
 }
 
 void Team::work(int member) {
@@ -114,9 +149,21 @@ void Team::work(int member) {
       ++done;
     }
   }
-  // Once for all of them: a line that both write costs as much as a piece of work.
   ranges_[static_cast<std::size_t>(member)].done = done;
-  if (member != 0 && done != 0) helped_.fetch_add(done, std::memory_order_acq_rel);
+}
+
+void Team::offer(Job& job) {
+  const std::lock_guard lock(queueing_);
+  jobs_.push(job);
+  ++waiting_;
+}
+
+Job* Team::take_job() {
+  if (waiting_ == 0) return nullptr;
+  const std::lock_guard lock(queueing_);
+  Job* const job = jobs_.pop();
+  if (job != nullptr) --waiting_;
+  return job;
 }
 
 void Team::dismiss() {

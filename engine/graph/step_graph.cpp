@@ -3,17 +3,104 @@
 #include <tbb/flow_graph.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
+#include <numeric>
 #include <ostream>
+
+#include "engine/base/parallel.h"
+#include "engine/base/team.h"
 
 namespace furnas {
 
+/// The flow graph knows when the turn of a phase has come; the threads of the workers run it. Tasks of oneTBB
+/// would not do: its threads are those that share the loops inside the phases, and these stay awake for
+/// loops.
 struct StepGraph::Flow {
-  using Node = tbb::flow::continue_node<tbb::flow::continue_msg>;
+  using Message = tbb::flow::continue_msg;
+
+  struct Turn : Job {
+    Turn(Flow& its_flow, const Phase& its_phase)
+        : Job{take}, flow(its_flow), phase(its_phase), come(flow.graph, [this](Message) {
+            ++flow.open;
+            due.push(*this);
+            return Message{};
+          }) {}
+    static void take(Job& job) {
+      auto& turn = static_cast<Turn&>(job);
+      turn.flow.run_from(&turn);
+    }
+
+    Flow& flow;
+    const Phase& phase;
+    tbb::flow::continue_node<Message, tbb::flow::lightweight> come;  ///< waits for all phases that it needs
+    tbb::flow::broadcast_node<Message> done{flow.graph};
+  };
+
+  explicit Flow(const std::vector<Phase>& phases);
+  void run();
+  void run_from(Job* turn);
+  static Job* share_out();
+
+  /// Phases whose turn has come by what this thread has done last.
+  static thread_local JobQueue due;
+
   tbb::flow::graph graph;
-  std::vector<std::unique_ptr<Node>> nodes;
-  std::vector<Node*> roots;
+  std::vector<std::unique_ptr<Turn>> turns;
+  std::vector<Turn*> roots;
+  std::atomic<std::size_t> open{0};  ///< phases whose turn has come and that are not done
+  std::atomic<bool> failed{false};
+  std::exception_ptr failure;  ///< of the first phase that failed
 };
+
+thread_local JobQueue StepGraph::Flow::due;
+
+StepGraph::Flow::Flow(const std::vector<Phase>& phases) {
+  for (const Phase& phase : phases) turns.push_back(std::make_unique<Turn>(*this, phase));
+  // How many phases must follow one after the other. Of phases whose turn comes together the one with most is
+  // the first, with which the thread goes on that is there already.
+  std::vector<std::size_t> follow(phases.size(), 0);
+  for (std::size_t k = phases.size(); k-- > 0;)
+    for (std::size_t before : phases[k].waits_for) follow[before] = std::max(follow[before], follow[k] + 1);
+  std::vector<std::size_t> order(phases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return follow[a] > follow[b]; });
+  for (std::size_t k : order) {
+    for (std::size_t before : phases[k].waits_for) tbb::flow::make_edge(turns[before]->done, turns[k]->come);
+    if (phases[k].waits_for.empty()) roots.push_back(turns[k].get());
+  }
+}
+
+void StepGraph::Flow::run() {
+  for (Turn* root : roots) root->come.try_put(Message{});
+  if (Job* first = share_out()) run_from(first);
+  detail::help_until_none(open);
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Offers what is due to the other threads, except the first, with which this one goes on.
+Job* StepGraph::Flow::share_out() {
+  Job* const mine = due.pop();
+  while (Job* other = due.pop()) detail::offer(*other);
+  return mine;
+}
+
+/// Runs a phase, then one whose turn has come with it, and so on.
+void StepGraph::Flow::run_from(Job* job) {
+  while (job != nullptr) {
+    auto& turn = static_cast<Turn&>(*job);
+    try {
+      if (!failed) StepGraph::run(turn.phase);
+    } catch (...) {
+      if (!failed.exchange(true)) failure = std::current_exception();
+    }
+    if (!failed) turn.done.try_put(Message{});
+    job = share_out();
+    --open;  // the last that this thread does in a step that it does not go on with
+  }
+}
 
 StepGraph::StepGraph() = default;
 StepGraph::~StepGraph() = default;
@@ -64,19 +151,10 @@ void StepGraph::run_in_order() {
 }
 
 void StepGraph::run_as_graph() {
-  if (!flow_) {
-    flow_ = std::make_unique<Flow>();
-    for (const Phase& phase : phases_) {
-      flow_->nodes.push_back(std::make_unique<Flow::Node>(
-          flow_->graph, [&phase](const tbb::flow::continue_msg&) { run(phase); }));
-      for (std::size_t before : phase.waits_for)
-        tbb::flow::make_edge(*flow_->nodes[before], *flow_->nodes.back());
-      if (phase.waits_for.empty()) flow_->roots.push_back(flow_->nodes.back().get());
-    }
-  }
+  if (!detail::at_work()) return run_in_order();
+  if (!flow_) flow_ = std::make_unique<Flow>(phases_);
   try {
-    for (Flow::Node* root : flow_->roots) root->try_put(tbb::flow::continue_msg{});
-    flow_->graph.wait_for_all();
+    flow_->run();
   } catch (...) {
     flow_.reset();  // nodes may hold half-counted messages
     throw;

@@ -54,7 +54,9 @@ class StepGraph {
   /// One step, phase after phase: the reference, and what small systems use.
   void run_in_order();
 
-  /// One step as a flow graph in the task arena of the caller.
+  /// One step as a flow graph: inside Workers::run phases that do not wait for each other run at once, as far
+  /// as there are threads; elsewhere they run in order. What a phase throws reaches the caller once no phase
+  /// runs any more; those that had not begun are left out.
   void run_as_graph();
 
   /// From now on keeps the time of each phase in `times`, one entry a phase in order, from zero; with nothing

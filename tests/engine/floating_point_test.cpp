@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "engine/base/parallel.h"
+#include "engine/graph/step_graph.h"
 #include "engine/monitor/measure.h"
 #include "tests/engine/support/compaction.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/meeting.h"
 #include "tests/engine/support/same_packing.h"
 #include "tests/engine/support/setups.h"
 
@@ -107,6 +109,33 @@ TEST(Rounding, IsThatOfTheWorkersNotOfTheCaller) {
   for (int threads : {1, 2, 5}) {
     EXPECT_TRUE(test::same_packing(end(FE_TONEAREST, FE_UPWARD, threads), expected)) << threads;
     EXPECT_TRUE(end(FE_DOWNWARD, FE_DOWNWARD, threads).velocity == expected.velocity) << threads;
+  }
+}
+
+/// What a thread does with numbers.
+struct Habits {
+  int rounding = -1;
+  double tiny = 1;  ///< half of a number below which there are only denormals
+};
+
+void show_habits(const test::Meeting& meeting, Habits& mine) {
+  volatile double smallest = std::numeric_limits<double>::min();
+  mine.rounding = std::fegetround();
+  mine.tiny = meeting.attend() ? smallest / 2 : 1;
+}
+
+// Two phases that wait for each other run on two threads, whose arithmetic is that of the workers.
+TEST(Rounding, IsThatOfTheWorkersOnEachThreadThatRunsAPhase) {
+  const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 4);
+  const Rounding of_the_caller(FE_UPWARD);
+  const test::Meeting meeting(2);
+  Habits habits[2];
+  StepGraph step;
+  for (Habits& mine : habits) step.phase("show habits", show_habits, meeting, mine);
+  Workers(2).run([&] { step.run_as_graph(); });
+  for (const Habits& mine : habits) {
+    EXPECT_EQ(mine.rounding, FE_TONEAREST);
+    EXPECT_EQ(mine.tiny, 0);
   }
 }
 

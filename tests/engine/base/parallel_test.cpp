@@ -77,6 +77,17 @@ TEST_P(Parallel, ExceptionsOfTheBodyReachTheCaller) {
                std::runtime_error);
 }
 
+TEST_P(Parallel, ALoopWithinALoopDoesItsWork) {
+  Workers workers(GetParam());
+  std::vector<std::atomic<int>> visits(400);
+  workers.run([&] {
+    for_chunks(20, 1, [&](std::size_t row, std::size_t, std::size_t) {
+      for_chunks(20, 1, [&](std::size_t column, std::size_t, std::size_t) { ++visits[20 * row + column]; });
+    });
+  });
+  for (const auto& n : visits) EXPECT_EQ(n, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, Parallel, ::testing::Values(1, 2, 3, 5, 8));
 
 }  // namespace

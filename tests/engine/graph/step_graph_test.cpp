@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +11,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/base/parallel.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/meeting.h"
 #include "tests/engine/support/property.h"
 
 namespace furnas {
@@ -112,7 +113,7 @@ TEST(StepGraph, AGatedPhaseRunsWhenItsFlagIsSetAtItsTurn) {
       "open the gate", +[](bool& gate, const int& n) { gate = n % 2 == 0; }, open, runs);
   step.phase_when(open, "gated", increment, runs);
   EXPECT_THAT(step.waits_for(1), ElementsAre(0));
-  tbb::task_arena(2).execute([&] {
+  Workers(2).run([&] {
     step.run_in_order();
     EXPECT_EQ(runs, 1);
     step.run_in_order();
@@ -137,7 +138,7 @@ TEST(StepGraph, KeepsTheTimeOfEachPhaseWhenAsked) {
   const auto begin = std::chrono::steady_clock::now();
   step.run_in_order();
   open = true;
-  tbb::task_arena(2).execute([&] { step.run_as_graph(); });
+  Workers(2).run([&] { step.run_as_graph(); });
   const std::chrono::duration<double> both_runs = std::chrono::steady_clock::now() - begin;
   ASSERT_EQ(times.size(), 2U);
   EXPECT_EQ(times[0].runs, 2);
@@ -181,7 +182,7 @@ TEST(StepGraph, RunsAgainAfterAPhaseHasThrown) {
   step.phase(
       "sum", +[](const int& x, const int& y, int& to) { to = x + y; }, a, b, sum);
   EXPECT_THAT(step.waits_for(2), ElementsAre(0, 1));
-  tbb::task_arena(4).execute([&] {
+  Workers(4).run([&] {
     EXPECT_THROW(step.run_as_graph(), std::runtime_error);
     broken = false;
     for (int n = 1; n < 4; ++n) {
@@ -192,15 +193,184 @@ TEST(StepGraph, RunsAgainAfterAPhaseHasThrown) {
   });
 }
 
+void meet(const test::Meeting& meeting, bool& met) { met = meeting.attend(); }
+
+/// Lets a test have more threads than the machine.
+class StepGraphOnThreads : public testing::Test {
+  tbb::global_control more_{tbb::global_control::max_allowed_parallelism, 9};
+};
+
+// Each of two phases ends only when the other has begun.
+TEST_F(StepGraphOnThreads, PhasesThatDoNotDependOnEachOtherRunAtOnce) {
+  Workers workers(2);
+  for (int n = 0; n < 20; ++n) {
+    const test::Meeting meeting(2);
+    bool a = false;
+    bool b = false;
+    StepGraph step;
+    step.phase("a", meet, meeting, a);
+    step.phase("b", meet, meeting, b);
+    workers.run([&] { step.run_as_graph(); });
+    ASSERT_TRUE(a && b);
+  }
+}
+
+TEST_F(StepGraphOnThreads, AsManyPhasesRunAtOnceAsThereAreThreads) {
+  constexpr int threads = 4;
+  const test::Meeting meeting(threads);
+  bool met[threads] = {};
+  StepGraph step;
+  for (bool& mine : met) step.phase("meet", meet, meeting, mine);
+  Workers(threads).run([&] { step.run_as_graph(); });
+  for (bool mine : met) EXPECT_TRUE(mine);
+}
+
+// The turn of the last phase comes while the first is running, and neither ends without the other.
+TEST_F(StepGraphOnThreads, APhaseWhoseTurnComesBesideALongOneDoesNotWaitForIt) {
+  Workers workers(2);
+  for (int n = 0; n < 20; ++n) {
+    const test::Meeting meeting(2);
+    bool is_long = false;
+    bool last = false;
+    int before = 0;
+    StepGraph step;
+    step.phase("long", meet, meeting, is_long);
+    step.phase("one", increment, before);
+    step.phase("two", increment, before);
+    step.phase(
+        "last", +[](const test::Meeting& m, const int& turns, bool& met) { met = m.attend() && turns == 2; },
+        meeting, before, last);
+    workers.run([&] { step.run_as_graph(); });
+    ASSERT_TRUE(is_long && last);
+  }
+}
+
+/// The sum of the squares below 1000, by a loop of many pieces that begins when the other phase is there.
+void sum_squares(const test::Meeting& meeting, std::int64_t& sum) {
+  ASSERT_TRUE(meeting.attend());
+  sum = ordered_sum<std::int64_t>(1000, 3, [](std::size_t begin, std::size_t end) {
+    std::int64_t part = 0;
+    for (std::size_t k = begin; k < end; ++k) part += static_cast<std::int64_t>(k * k);
+    return part;
+  });
+}
+
+TEST_F(StepGraphOnThreads, LoopsOfPhasesThatRunAtOnceDoTheirWork) {
+  for (int threads : {2, 3, 8}) {
+    Workers workers(threads);
+    workers.run([&] {
+      for (int n = 0; n < 200; ++n) {
+        const test::Meeting meeting(2);
+        std::int64_t a = 0;
+        std::int64_t b = 0;
+        StepGraph step;
+        step.phase("a", sum_squares, meeting, a);
+        step.phase("b", sum_squares, meeting, b);
+        step.run_as_graph();
+        ASSERT_EQ(a, 332833500);
+        ASSERT_EQ(b, 332833500);
+      }
+    });
+  }
+}
+
+TEST_F(StepGraphOnThreads, NothingRunsAnyMoreWhenTheCallerLearnsOfAFailure) {
+  const test::Meeting meeting(2);
+  int slow = 0;
+  int fails = 0;
+  int after = 0;
+  StepGraph step;
+  step.phase(
+      "slow",
+      +[](const test::Meeting& m, int& value) {
+        m.attend();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        ++value;
+      },
+      meeting, slow);
+  step.phase(
+      "fails",
+      +[](const test::Meeting& m, int&) {
+        m.attend();
+        throw std::runtime_error("failed");
+      },
+      meeting, fails);
+  step.phase("after", copy, fails, after);
+  step.phase("after both", copy, slow, after);
+  after = -1;
+  Workers(2).run([&] {
+    EXPECT_THROW(step.run_as_graph(), std::runtime_error);
+    EXPECT_EQ(slow, 1);
+    EXPECT_EQ(after, -1);
+  });
+}
+
+/// A thing that notices who is at it at once.
+struct Guarded {
+  mutable std::atomic<int> readers = 0;
+  mutable std::atomic<int> writers = 0;
+  inline static std::atomic<int> clashes = 0;
+  inline static std::atomic<int> inside = 0;  ///< phases
+  inline static std::atomic<int> together = 0;
+};
+
+void read_and_write(const Guarded& from, Guarded& to) {
+  const bool same = &from == &to;
+  if (++Guarded::inside > 1) ++Guarded::together;
+  if (!same) ++from.readers;
+  ++to.writers;
+  for (int n = 0; n < 3; ++n) {
+    std::this_thread::yield();
+    if (to.writers != 1 || to.readers != 0 || (!same && from.writers != 0)) ++Guarded::clashes;
+  }
+  --to.writers;
+  if (!same) --from.readers;
+  --Guarded::inside;
+}
+
+TEST_F(StepGraphOnThreads, PhasesThatDependOnEachOtherNeverRunAtOnce) {
+  Guarded::clashes = Guarded::together = 0;
+  Workers workers(4);
+  EXPECT_TRUE(test::holds(100, [&] {
+    test::Dice dice(test::any_seed());
+    std::vector<Guarded> things(2 + dice.below(8));
+    const auto any = [&]() -> Guarded& { return things[dice.below(things.size())]; };
+    StepGraph step;
+    const std::uint64_t phases = 1 + dice.below(20);
+    for (std::uint64_t k = 0; k < phases; ++k) step.phase("read and write", read_and_write, any(), any());
+    workers.run([&] {
+      for (int n = 0; n < 5; ++n) step.run_as_graph();
+    });
+    RC_ASSERT(Guarded::clashes == 0);
+    RC_ASSERT(Guarded::inside == 0);
+  }));
+  EXPECT_GT(Guarded::together, 100);  // else the test would not have noticed
+}
+
+TEST(StepGraph, RunsInOrderOutsideOfWorkers) {
+  std::vector<int> order;
+  StepGraph step;
+  step.phase(
+      "one", +[](std::vector<int>& list) { list.push_back(1); }, order);
+  step.phase(
+      "two", +[](std::vector<int>& list) { list.push_back(2); }, order);
+  step.run_as_graph();
+  EXPECT_THAT(order, ElementsAre(1, 2));
+}
+
 TEST(StepGraph, GrowsAndMovesAfterItHasRun) {
   int a = 0;
   StepGraph first;
-  first.phase("one", increment, a);
-  first.run_as_graph();
-  first.phase("two", increment, a);
-  StepGraph second = std::move(first);
-  second.run_as_graph();
-  EXPECT_EQ(a, 3);
+  StepGraph second;
+  Workers(2).run([&] {
+    first.phase("one", increment, a);
+    first.run_as_graph();
+    first.phase("two", increment, a);
+    first.run_as_graph();
+    second = std::move(first);
+    second.run_as_graph();
+  });
+  EXPECT_EQ(a, 5);
   EXPECT_THAT(second.titles(), ElementsAre("one", "two"));
 }
 
@@ -240,7 +410,7 @@ void mix_two(const Thing& a, const Thing& b, Thing& to) {
 // Each phase depends on all that it reads, so any order that the edges should forbid shows.
 TEST(StepGraph, TheGraphGivesWhatTheOrderGives) {
   const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
-  tbb::task_arena arena(4);
+  Workers workers(4);
   EXPECT_TRUE(test::holds(100, [&] {
     test::Dice dice(test::any_seed());
     std::vector<Thing> things(2 + dice.below(5));
@@ -256,7 +426,7 @@ TEST(StepGraph, TheGraphGivesWhatTheOrderGives) {
     for (int n = 0; n < 5; ++n) step.run_in_order();
     std::vector<std::uint64_t> expected;
     for (Thing& thing : things) expected.push_back(std::exchange(thing.value, 1));
-    arena.execute([&] {
+    workers.run([&] {
       for (int n = 0; n < 5; ++n) step.run_as_graph();
     });
     for (std::size_t k = 0; k < things.size(); ++k) RC_ASSERT(things[k].value == expected[k]);
