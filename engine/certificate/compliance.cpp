@@ -29,10 +29,10 @@ MatrixXd without_translation(MatrixXd motion, Index per_particle) {
 }  // namespace
 
 /// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T. Where CHOLMOD meets a pivot that is not
-/// positive, that unknown gets a spring of 1 k_n, a hold, and the factorization begins again. With B B^T the sum
-/// of the holds, the matrix A has as many negative eigenvalues as the small matrix 1 - B^T (A + B B^T)^-1 B
-/// (Haynsworth's inertia additivity), and Woodbury's identity gives the inverse of A from that of A + B B^T.
-/// With more than a few holds, L D L^T by Eigen.
+/// positive, that unknown gets a spring of 1 k_n, a hold, and the factorization begins again. With B B^T the
+/// sum of the holds, the matrix A has as many negative eigenvalues as the small matrix 1 - B^T (A + B B^T)^-1
+/// B (Haynsworth's inertia additivity), and Woodbury's identity gives the inverse of A from that of A + B
+/// B^T. With more than a few holds, L D L^T by Eigen.
 class Compliance::Factor {
  public:
   explicit Factor(Sparse matrix) {

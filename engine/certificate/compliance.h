@@ -14,8 +14,8 @@ namespace furnas {
 /// One particle is held, which takes the translations out and changes no sign. The matrix of the others is
 /// factored by CHOLMOD (L L^T); the strains follow by their Schur complement, the inverse of which is what a
 /// strain costs when the particles have followed. A Cholesky factor that exists proves that no eigenvalue is
-/// negative. Where CHOLMOD meets a pivot that is not positive, that unknown is held by an added spring and the
-/// factorization restarted; negative eigenvalues are then counted from a small dense matrix (Haynsworth's
+/// negative. Where CHOLMOD meets a pivot that is not positive, that unknown is held by an added spring and
+/// the factorization restarted; negative eigenvalues are then counted from a small dense matrix (Haynsworth's
 /// inertia additivity), and the added springs are taken out of the inverse again (Woodbury's identity). After
 /// four such springs the signs of the pivots of L D L^T count them instead (Sylvester's law of inertia).
 class Compliance {

@@ -19,19 +19,19 @@ struct Protocol {
   HookeConstants contact{.friction = 0.3};
   bool affine_velocity = false;  ///< contacts feel the cell's flow, too
 
-  std::vector<double> pressures{1e-4};        ///< p_a, one after the other [k_n/d_s]
-  CellFreedom cell = CellFreedom::triclinic;  ///< which deformations the cell may make
-  double inertia = 1;                         ///< beta, W in units of M L_ref^2/12
-  std::optional<double> inertia_absolute;     ///< W itself, instead of `inertia` [rho d_s^5]
-  double drag = 0;                            ///< g, damps the strain rate of the cell [1/time]
-  double time_step = 0.02;                    ///< in collision times t_c of two spheres of size d_s
-  std::optional<double> time_step_absolute;   ///< instead of `time_step` [time]
+  std::vector<double> pressures{1e-4};         ///< p_a, one after the other [k_n/d_s]
+  CellFreedom cell = CellFreedom::triclinic;   ///< which deformations the cell may make
+  double inertia = 1;                          ///< beta, W in units of M L_ref^2/12
+  std::optional<double> inertia_absolute{};    ///< W itself, instead of `inertia` [rho d_s^5]
+  double drag = 0;                             ///< g, damps the strain rate of the cell [1/time]
+  double time_step = 0.02;                     ///< in collision times t_c of two spheres of size d_s
+  std::optional<double> time_step_absolute{};  ///< instead of `time_step` [time]
 
-  RestCriteria rest;                ///< when the packing counts as jammed
+  RestCriteria rest{};              ///< when the packing counts as jammed
   std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
 
   Precision precision = Precision::mixed;
-  std::optional<double> skin;  ///< of the neighbour list; chosen by the program if absent [d_s]
+  std::optional<double> skin{};  ///< of the neighbour list; chosen by the program if absent [d_s]
 };
 
 /// The contact law with its constants. Throws InputError for a name that is no law's.

@@ -39,6 +39,14 @@ std::string flaw_of_particle(const Packing& p, std::size_t k) {
   return {};
 }
 
+std::string flaw_of_spheres(const Packing& p) {
+  if (p.size() == 0) return "the packing has no particles";
+  if (std::string flaw = flaw_of_cell(p); !flaw.empty()) return flaw;
+  for (std::size_t k = 0; k < p.size(); ++k)
+    if (std::string flaw = flaw_of_particle(p, k); !flaw.empty()) return flaw;
+  return {};
+}
+
 std::string flaw_of_contact(const Packing& p, const Contact& c) {
   if (c.i >= p.size() || c.j >= p.size()) return "a contact names a particle that is not there";
   if (finite(c.force) && finite(c.history) && finite(c.branch) && std::isfinite(c.overlap)) return {};
@@ -62,17 +70,14 @@ void refuse_common_centres(const Packing& p) {
 }  // namespace
 
 std::string flaw_of(const Packing& p) {
-  if (p.size() == 0) return "the packing has no particles";
-  if (std::string flaw = flaw_of_cell(p); !flaw.empty()) return flaw;
-  for (std::size_t k = 0; k < p.size(); ++k)
-    if (std::string flaw = flaw_of_particle(p, k); !flaw.empty()) return flaw;
+  if (std::string flaw = flaw_of_spheres(p); !flaw.empty()) return flaw;
   for (const Contact& c : p.contacts)
     if (std::string flaw = flaw_of_contact(p, c); !flaw.empty()) return flaw;
   return {};
 }
 
 void validate(const Packing& p) {
-  if (const std::string flaw = flaw_of(p); !flaw.empty()) throw InputError(flaw);
+  if (const std::string flaw = flaw_of_spheres(p); !flaw.empty()) throw InputError(flaw);
   refuse_common_centres(p);
 }
 

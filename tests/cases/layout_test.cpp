@@ -56,6 +56,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"tests/engine", {"engine"}},
     {"tests/fuzz", {"engine", "io"}},
     {"tests/io", {"engine", "io", "tests/fuzz"}},
+    {"tests/library", {"engine", "io"}},
     {"tests/viz", {"engine", "io", "viz", "tests/io"}},
     {"tests/benchmarks", {"engine", "io"}},
     {"tests/cases", {"engine", "io", "viz", "cases", "tests/engine", "tests/io"}},

@@ -155,8 +155,8 @@ Packing moving(const Model& model) {
 
 // Another motion is what a packing with other velocities would be, but for the list, which stays.
 TYPED_TEST(Invariance, ANewMotionIsThatOfAPackingWithIt) {
-  const Model model = in_a_moving_cell(this->model);
-  const auto changed = make_simulation(model, moving(model));
+  const Model moves = in_a_moving_cell(this->model);
+  const auto changed = make_simulation(moves, moving(moves));
   Packing wanted = changed->packing();
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     wanted.velocity[k] = -0.5 * wanted.velocity[k];
@@ -164,7 +164,7 @@ TYPED_TEST(Invariance, ANewMotionIsThatOfAPackingWithIt) {
   }
   wanted.cell.rate = {1e-4, 0, 2e-4, 0, 0, -1e-4};
   changed->set_motion(wanted.velocity, wanted.spin, wanted.cell.rate);
-  const auto loaded = make_simulation(model, wanted);
+  const auto loaded = make_simulation(moves, wanted);
   EXPECT_TRUE(test::same_packing(changed->packing(), wanted));
   changed->advance(100);
   loaded->advance(100);
@@ -173,34 +173,34 @@ TYPED_TEST(Invariance, ANewMotionIsThatOfAPackingWithIt) {
 
 // The energy that a stop takes out is booked: the balance closes as well as it did.
 TYPED_TEST(Invariance, AStopIsBooked) {
-  const Model model = in_a_moving_cell(this->model);
-  const auto simulation = make_simulation(model, moving(model));
+  const Model moves = in_a_moving_cell(this->model);
+  const auto simulation = make_simulation(moves, moving(moves));
   const auto gap = [&] {
     const Packing p = simulation->packing();
-    return p.ledger.gap(energy(p, model.law).total());
+    return p.ledger.gap(energy(p, moves.law).total());
   };
-  const double before = gap(), moved = energy(simulation->packing(), model.law).kinetic;
+  const double before = gap(), moved = energy(simulation->packing(), moves.law).kinetic;
   const std::vector<Vec3<double>> none(simulation->packing().size());
   simulation->set_motion(none, none, {});
-  EXPECT_EQ(energy(simulation->packing(), model.law).kinetic, 0);
+  EXPECT_EQ(energy(simulation->packing(), moves.law).kinetic, 0);
   EXPECT_NEAR(gap(), before, 1e-12 * moved);
   EXPECT_NEAR(simulation->packing().ledger.quenched, moved, 1e-12 * moved);
 }
 
 // Another step is that of a simulation made with it; the time goes on.
 TYPED_TEST(Invariance, ANewTimeStepIsThatOfASimulationWithIt) {
-  Model model = in_a_moving_cell(this->model);
-  const auto changed = make_simulation(model, moving(model));
+  Model moves = in_a_moving_cell(this->model);
+  const auto changed = make_simulation(moves, moving(moves));
   const double time = changed->packing().time;
-  changed->set_time_step(0.5 * model.time_step);
+  changed->set_time_step(0.5 * moves.time_step);
   const Packing here = changed->packing();
   EXPECT_EQ(here.time, time);
   changed->advance(100);
-  model.time_step *= 0.5;
-  const auto made = make_simulation(model, here);
+  moves.time_step *= 0.5;
+  const auto made = make_simulation(moves, here);
   made->advance(100);
   EXPECT_TRUE(test::same_packing(changed->packing(), made->packing()));
-  EXPECT_NEAR(changed->packing().time, time + 100 * model.time_step, 1e-12);
+  EXPECT_NEAR(changed->packing().time, time + 100 * moves.time_step, 1e-12);
 }
 
 }  // namespace

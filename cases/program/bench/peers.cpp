@@ -79,7 +79,8 @@ class Match {
       ratios.push_back(ours.back() / theirs.back());
       table.row({fmt::format("{}", n + 1), fmt::format("{:.3g}", ours.back()),
                  fmt::format("{:.3g}", theirs.back()), fmt::format("{:.3g}", ratios.back()),
-                 fmt::format("{}", simulation->neighbours().builds - builds), fmt::format("{}", timing.rebuilds)});
+                 fmt::format("{}", simulation->neighbours().builds - builds),
+                 fmt::format("{}", timing.rebuilds)});
     }
     console_.out << table.aligned()
                  << fmt::format("furnas  {} Mps, {}, mu {:g}, {}, {} thread(s)\n", text_of(spread_of(ours)),

@@ -114,8 +114,8 @@ class SpeedMeasurement {
     SpeedRow& row = rows_[k];
     row.steps = steps_;
     row.rate = spread_of(rates_[k]);
-    row.moved =
-        bytes_per_particle_step({has_friction(model(k).law), row.inner, model(k).precision == Precision::mixed});
+    row.moved = bytes_per_particle_step(
+        {has_friction(model(k).law), row.inner, model(k).precision == Precision::mixed});
     const auto known = errors_.find(row.variant.precision);
     row.error = known != errors_.end() ? known->second : force_error(model(k), packing_, row.variant.threads);
     errors_[row.variant.precision] = row.error;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/analysis/rattlers.h"
+#include <limits>
+#include <memory>
+
 #include "engine/events/limits.h"
 #include "engine/start/mixture.h"
 #include "tests/engine/support/same_packing.h"
