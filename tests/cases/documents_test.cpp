@@ -30,7 +30,8 @@ void each_match(const std::string& text, const std::regex& pattern, Visit&& visi
 std::string documents() { return all_of(root / "docs", ".md") + content(root / "README.md"); }
 
 TEST(Documents, NameTestsThatExist) {
-  const std::string tests = all_of(root / "tests", ".cpp") + content(root / "cmake/kernels.cmake");
+  const std::string tests = all_of(root / "tests", ".cpp") + content(root / "cmake/kernels.cmake") +
+                            content(root / "tests/library/CMakeLists.txt");
   int found = 0;
   each_match(documents(), std::regex(R"(`([A-Z]\w*)\.([A-Z*]\w*)`)"), [&](const std::smatch& match) {
     const std::string suite = match[1], test = match[2];
@@ -48,7 +49,7 @@ TEST(Documents, AreWhereTheyAreSaidToBe) {
   for (const char* room : {"engine", "io", "viz", "cases", "tests"})
     for (const char* extension : {".h", ".cpp", ".toml"}) text += all_of(root / room, extension);
   int found = 0;
-  each_match(text, std::regex(R"(\bdocs/([\w-]+\.(md|sh|svg|png)))"), [&](const std::smatch& match) {
+  each_match(text, std::regex(R"(\bdocs/([\w-]+\.(md|sh|svg|png|cpp)))"), [&](const std::smatch& match) {
     EXPECT_TRUE(fs::exists(root / match[0].str())) << match[0];
     ++found;
   });
