@@ -59,7 +59,6 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"tests/library", {"engine", "io"}},
     {"tests/viz", {"engine", "io", "viz", "tests/io"}},
     {"tests/benchmarks", {"engine", "io"}},
-    {"tests/library", {"engine", "io"}},
     {"tests/cases", {"engine", "io", "viz", "cases", "tests/engine", "tests/io"}},
     // Preloaded into the program, so they share nothing with it.
     {"tests/faults", {}},
