@@ -1,9 +1,9 @@
 #include "engine/compaction.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/monitor/energy.h"
 #include "engine/monitor/measure.h"
@@ -71,13 +71,11 @@ void Observation::stop_all_motion() {
 }
 
 std::int64_t saved_count(const std::string& saved) {
-  std::int64_t count = 0;
-  if (saved.empty()) return count;
-  const char* const end = saved.data() + saved.size();
-  const auto [rest, error] = std::from_chars(saved.data(), end, count);
-  if (error != std::errc{} || rest != end || count < 0)
+  if (saved.empty()) return 0;
+  const std::optional<std::int64_t> count = number_in<std::int64_t>(saved);
+  if (!count || *count < 0)
     throw InputError("a run remembers \"" + saved + "\" where it must remember a count");
-  return count;
+  return *count;
 }
 
 std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (step / period + 1) * period; }

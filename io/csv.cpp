@@ -1,20 +1,99 @@
 #include "io/csv.h"
 
-#include "io/species_type.h"
-#include "io/text_writer.h"
+#include <algorithm>
+#include <istream>
+#include <optional>
+#include <string_view>
+
+#include "engine/base/require.h"
 
 namespace furnas {
+namespace {
 
-void write_csv(const Packing& packing, const std::filesystem::path& path) {
-  AtomicFile file(path);
-  file.write(
-      "id,species,radius,mass,x,y,z,velocity_x,velocity_y,velocity_z,spin_x,spin_y,spin_z,"
-      "force_x,force_y,force_z,torque_x,torque_y,torque_z\n");
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,}\n", k + 1, name_of(packing.species[k]),
-          packing.radius[k], packing.mass[k], packing.position(k), packing.velocity[k], packing.spin[k],
-          packing.force[k], packing.torque[k]);
-  file.commit();
+std::string in_quotes(const std::string& cell) {
+  std::string text = "\"";
+  for (const char letter : cell) text += letter == '"' ? "\"\"" : std::string(1, letter);
+  return text + '"';
+}
+
+/// Where the quotes that open at the front of a text close; nothing if they do not.
+std::optional<std::size_t> closing_quote(std::string_view text) {
+  for (std::size_t at = 1; at < text.size(); ++at) {
+    if (text[at] != '"') continue;
+    if (at + 1 == text.size() || text[at + 1] != '"') return at;
+    ++at;  // two of them stand for one
+  }
+  return {};
+}
+
+std::string unquoted(std::string_view inside) {
+  std::string text;
+  for (std::size_t at = 0; at < inside.size(); ++at) {
+    text += inside[at];
+    if (inside[at] == '"') ++at;
+  }
+  return text;
+}
+
+/// Takes a cell and the comma behind it from the front of a row; nothing if its quotes are not closed yet.
+std::optional<std::string> take_cell(std::string_view& row, bool& last) {
+  std::size_t end = row.find(',');
+  std::optional<std::string> cell;
+  if (row.starts_with('"')) {
+    const std::optional<std::size_t> quote = closing_quote(row);
+    if (!quote) return {};
+    if (const std::size_t after = *quote + 1; after == row.size() || row[after] == ',') {
+      end = after == row.size() ? row.npos : after;
+      cell = unquoted(row.substr(1, *quote - 1));
+    }
+  }
+  if (!cell) cell = row.substr(0, end);
+  last = end == row.npos;
+  if (!last) row.remove_prefix(end + 1);
+  return cell;
+}
+
+/// The cells of a row; nothing if quotes are not closed yet.
+std::optional<std::vector<std::string>> cells_of(std::string_view row) {
+  std::vector<std::string> cells;
+  for (bool last = false; !last;) {
+    std::optional<std::string> cell = take_cell(row, last);
+    if (!cell) return {};
+    cells.push_back(std::move(*cell));
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string csv_row(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) row += ',';
+    row += cell.find_first_of(",\"\r\n") == cell.npos ? cell : in_quotes(cell);
+  }
+  return row + '\n';
+}
+
+std::string without_commas(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+bool read_csv_row(std::istream& file, std::vector<std::string>& cells) {
+  std::string row, line;
+  while (std::getline(file, line)) {
+    if (line.ends_with('\r')) line.pop_back();
+    row += line;
+    if (auto found = cells_of(row)) {
+      cells = std::move(*found);
+      return true;
+    }
+    row += '\n';
+  }
+  if (!row.empty()) throw InputError("the quotes of its last cell are not closed");
+  return false;
 }
 
 }  // namespace furnas

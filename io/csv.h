@@ -1,13 +1,22 @@
 #pragma once
 
-#include <filesystem>
-
-#include "engine/state/packing.h"
+#include <iosfwd>
+#include <string>
+#include <vector>
 
 namespace furnas {
 
-/// Writes a line of names and a line for each particle: id, species, radius, mass, position in the cell,
-/// velocity, spin, force, torque. Throws OutputError.
-void write_csv(const Packing& packing, const std::filesystem::path& path);
+/// Comma-separated values as in RFC 4180, but with lines that end as text of Unix does.
+
+/// A row with the end of its line; a cell with a comma, a quote or an end of line stands in quotes.
+std::string csv_row(const std::vector<std::string>& cells);
+
+/// The text with ';' for commas and blanks for ends of lines: such a cell needs no quotes, so that a program
+/// which knows nothing of them can read the row.
+std::string without_commas(std::string text);
+
+/// Reads the next row, with quotes taken off; false at the end of the file. A cell that begins with a quote
+/// but does not end with one is taken as it stands. Throws InputError for quotes that are never closed.
+bool read_csv_row(std::istream& file, std::vector<std::string>& cells);
 
 }  // namespace furnas

@@ -8,10 +8,10 @@
 
 #include "engine/base/require.h"
 #include "io/checkpoint.h"
-#include "io/csv.h"
 #include "io/extended_xyz.h"
 #include "io/lammps_data.h"
 #include "io/lammps_dump.h"
+#include "io/packing_csv.h"
 #include "io/text_reader.h"
 #include "io/vtp_packing.h"
 
@@ -37,7 +37,7 @@ constexpr std::array<Format, 6> all{{
     {"lammps-dump", ".lammpstrj .dump", begins_dump, read_last_lammps_frame, write_lammps_dump},
     {"extxyz", ".extxyz .xyz", begins_xyz, read_extended_xyz, write_extended_xyz},
     {"vtp", ".vtp", begins_vtp, read_vtp, write_vtp},
-    {"csv", ".csv", nullptr, nullptr, write_csv},
+    {"csv", ".csv", nullptr, nullptr, write_packing_csv},
 }};
 
 /// The first bytes of a file.

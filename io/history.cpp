@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
+#include "io/csv.h"
 
 namespace furnas {
 namespace {
@@ -62,27 +61,27 @@ constexpr Column columns[] = {
 
 }  // namespace
 
-std::string history_columns() {
-  std::string names;
-  for (const Column& column : columns) names += fmt::format("{}{}", names.empty() ? "" : ",", column.name);
+std::vector<std::string> history_columns() {
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.emplace_back(column.name);
   return names;
 }
 
-History::History(const std::filesystem::path& path) : file_(path) { file_.append(history_columns() + "\n"); }
+History::History(const std::filesystem::path& path) : file_(path) {
+  file_.append(csv_row(history_columns()));
+}
 
 void History::add(const Measures& m) {
-  std::string row;
-  for (const Column& column : columns) row += fmt::format("{}{}", row.empty() ? "" : ",", column.value(m));
-  file_.append(row + "\n");
+  std::vector<std::string> row;
+  for (const Column& column : columns) row.push_back(fmt::format("{}", column.value(m)));
+  file_.append(csv_row(row));
 }
 
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
                                               const std::vector<std::string>& wanted) {
   std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
   std::vector<std::string> cells;
-  boost::split(cells, line, boost::is_any_of(","));
+  if (!read_csv_row(file, cells)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
   std::vector<std::size_t> places;
   for (const std::string& column : wanted) {
     const auto found = std::find(cells.begin(), cells.end(), column);
@@ -92,15 +91,10 @@ std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
   }
   const std::size_t width = cells.size();
   std::vector<std::vector<double>> values(wanted.size());
-  while (std::getline(file, line)) {
-    boost::split(cells, line, boost::is_any_of(","));
+  while (read_csv_row(file, cells)) {
     if (cells.size() != width) throw InputError(path.string() + ": a row is not complete");
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::string& text = cells[places[k]];
-      double value = std::nan("");
-      std::from_chars(text.data(), text.data() + text.size(), value);
-      values[k].push_back(value);
-    }
+    for (std::size_t k = 0; k < places.size(); ++k)
+      values[k].push_back(number_in<double>(cells[places[k]]).value_or(std::nan("")));
   }
   return values;
 }

@@ -27,8 +27,8 @@ class History {
   AppendFile file_;
 };
 
-/// Names of the columns, separated by commas.
-std::string history_columns();
+/// Names of the columns.
+std::vector<std::string> history_columns();
 
 /// The values of these columns of a history, row by row. Throws InputError.
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/state/packing.h"
 
@@ -96,12 +97,9 @@ double TextReader::positive(std::string_view word, std::string_view name) const 
 }
 
 std::int64_t TextReader::integer(std::string_view word, std::string_view name) const {
-  const std::string_view digits = without_plus(word);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size())
-    fail(fmt::format("{} is {}; a whole number is expected", name, quoted(word)));
-  return value;
+  const std::optional<std::int64_t> value = number_in<std::int64_t>(without_plus(word));
+  if (!value) fail(fmt::format("{} is {}; a whole number is expected", name, quoted(word)));
+  return *value;
 }
 
 std::size_t TextReader::particle_count(std::string_view word, std::size_t least_bytes) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/require.h"
+#include "io/csv.h"
 
 namespace furnas {
 
@@ -30,12 +31,8 @@ std::string Table::aligned() const {
 }
 
 std::string Table::csv() const {
-  std::string text = fmt::format("{}\n", fmt::join(names_, ","));
-  for (std::vector<std::string> cells : rows_) {
-    for (std::string& cell : cells)
-      if (cell.find(',') != cell.npos) cell = fmt::format("\"{}\"", cell);
-    text += fmt::format("{}\n", fmt::join(cells, ","));
-  }
+  std::string text = csv_row(names_);
+  for (const std::vector<std::string>& cells : rows_) text += csv_row(cells);
   return text;
 }
 

@@ -16,7 +16,7 @@ class Table {
   /// The columns side by side, flush right, with the names above.
   std::string aligned() const;
 
-  /// Comma-separated values with a line of names; a cell with a comma is quoted.
+  /// Comma-separated values with a line of names (io/csv.h).
   std::string csv() const;
 
  private:

@@ -1,11 +1,10 @@
 #include "engine/events/monitor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/monitor/audit.h"
 #include "engine/monitor/faults.h"
@@ -69,21 +68,16 @@ std::string Monitor::momentum_fault(Observation& now) {
 std::string Monitor::saved() {
   if (!last_) return {};
   const auto& [sum, spread, h, step, replaced] = *last_;
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  for (double x : {sum.x, sum.y, sum.z, spread, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy}) text << x << ' ';
-  text << step << ' ' << replaced;
-  return text.str();
+  return exact_text(sum.x, sum.y, sum.z, spread, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, step, replaced);
 }
 
 void Monitor::restore(const std::string& saved) {
   last_.reset();
   if (saved.empty()) return;
-  std::istringstream text(saved);
-  std::array<double, 10> x{};
-  for (double& value : x) text >> value;
-  Momentum m{{x[0], x[1], x[2]}, x[3], {x[4], x[5], x[6], x[7], x[8], x[9]}, 0, 0};
-  if (!(text >> m.step >> m.replaced))
+  Momentum m;
+  auto& [sum, spread, h, step, replaced] = m;
+  if (!Numbers(saved).take_all(sum.x, sum.y, sum.z, spread, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, step,
+                               replaced))
     throw InputError("the monitor remembers \"" + saved + "\", which is no momentum");
   last_ = m;
 }

@@ -1,9 +1,8 @@
 #include "engine/events/quench.h"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/monitor/energy.h"
 
@@ -46,18 +45,14 @@ bool Quench::due(Observation& now) {
 }
 
 std::string Quench::saved() {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << count_ << ' ' << pressure_ << ' ' << count_at_pressure_ << ' ' << slow_windows_ << ' ' << peak_;
-  return text.str();
+  return exact_text(count_, pressure_, count_at_pressure_, slow_windows_, peak_);
 }
 
 void Quench::restore(const std::string& saved) {
   if (saved.empty()) return;
-  std::istringstream text(saved);
-  text >> count_ >> pressure_ >> count_at_pressure_ >> slow_windows_ >> peak_;
-  if (!text || text.peek() != std::istringstream::traits_type::eof() || count_ < 0 || !(pressure_ >= 0) ||
-      count_at_pressure_ < 0 || slow_windows_ < 0 || !(peak_ >= 0))
+  const bool read = Numbers(saved).take_all(count_, pressure_, count_at_pressure_, slow_windows_, peak_);
+  if (!read || count_ < 0 || !(pressure_ >= 0) || count_at_pressure_ < 0 || slow_windows_ < 0 ||
+      !(peak_ >= 0))
     throw InputError("a run remembers \"" + saved + "\" where it must remember five numbers from 0 on");
 }
 

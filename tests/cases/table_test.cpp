@@ -16,6 +16,7 @@ TEST(Table, StandsInColumnsAndReadsAsCsv) {
   EXPECT_THROW(table.row({"one cell"}), ContractError);
   table.row({"a,b", "1"});
   EXPECT_EQ(table.csv(), "name,N\na,1000000\nlonger,2\n\"a,b\",1\n");
+  EXPECT_EQ(Table({"x, y"}).csv(), "\"x, y\"\n");
 }
 
 TEST(Spread, HasTheMiddleAndTheEnds) {

@@ -67,6 +67,13 @@ TEST(NextMultiple, LiesAfterTheStep) {
   EXPECT_EQ(next_multiple(7, 1), 8);
 }
 
+TEST(SavedCount, IsACountOrNothing) {
+  EXPECT_EQ(saved_count(""), 0);
+  EXPECT_EQ(saved_count("17"), 17);
+  for (const char* saved : {"-1", "1.5", " 1", "1 ", "one"})
+    EXPECT_THROW(saved_count(saved), InputError) << saved;
+}
+
 TEST(Compact, EventsOfAStepHappenInTheOrderOfTheTable) {
   Trial run;
   run.add('b', 6);

@@ -1,25 +1,56 @@
 #include "io/csv.h"
 
+#include <gtest/gtest.h>
+
 #include <sstream>
 
-#include "tests/io/packings.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 namespace {
 
-TEST(Csv, HasALineForEachParticle) {
-  const TemporaryFolder folder;
-  const Packing p = random_packing(1);
-  write_csv(p, folder / "a.csv");
-  std::istringstream stream(content(folder / "a.csv"));
-  std::string line;
-  std::getline(stream, line);
-  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
-  EXPECT_EQ(commas(line), 18);
-  std::size_t lines = 0;
-  for (; std::getline(stream, line); ++lines) EXPECT_EQ(commas(line), 18);
-  EXPECT_EQ(lines, p.size());
-  EXPECT_TRUE(content(folder / "a.csv").find("\n3,large,") != std::string::npos);
+using Cells = std::vector<std::string>;
+
+std::vector<Cells> rows_of(const std::string& text) {
+  std::istringstream file(text);
+  std::vector<Cells> rows;
+  for (Cells cells; read_csv_row(file, cells);) rows.push_back(cells);
+  return rows;
+}
+
+TEST(Csv, QuotesWhatNeedsIt) {
+  EXPECT_EQ(csv_row({"a", "", "1.5"}), "a,,1.5\n");
+  EXPECT_EQ(csv_row({"a,b", "say \"no\"", "two\nlines", "two words"}),
+            "\"a,b\",\"say \"\"no\"\"\",\"two\nlines\",two words\n");
+  EXPECT_EQ(csv_row({""}), "\n");
+}
+
+TEST(Csv, ReadsWhatItWrites) {
+  const std::vector<Cells> rows{{"a,b", "\"", "\"\"", ",", ""},
+                                {"two\nlines", "x", "\"a\",\"b\"", " ", "\n"}};
+  EXPECT_EQ(rows_of(csv_row(rows[0]) + csv_row(rows[1])), rows);
+}
+
+TEST(Csv, ReadsWhatOthersWrite) {
+  EXPECT_EQ(rows_of("a,\"b,c\"\r\n\"d\",e"), (std::vector<Cells>{{"a", "b,c"}, {"d", "e"}}));
+  EXPECT_EQ(rows_of("\n,\n"), (std::vector<Cells>{{""}, {"", ""}}));
+  EXPECT_TRUE(rows_of("").empty());
+}
+
+// furnas 0.2.0 quoted a cell for its comma, not for its quotes.
+TEST(Csv, TakesLooseQuotesAsTheyStand) {
+  EXPECT_EQ(rows_of("\"x\" is no law; allowed: y,1\n"),
+            (std::vector<Cells>{{"\"x\" is no law; allowed: y", "1"}}));
+  EXPECT_EQ(rows_of("the law \"x\",1\n"), (std::vector<Cells>{{"the law \"x\"", "1"}}));
+}
+
+TEST(Csv, RefusesQuotesThatAreNeverClosed) {
+  EXPECT_EQ(rows_of("\"a\nb\",c\n").size(), 1u);
+  EXPECT_THROW(rows_of("\"a\nb,c\n"), InputError);
+}
+
+TEST(WithoutCommas, NeedsNoQuotes) {
+  EXPECT_EQ(without_commas("spent, it waits\nfor rest"), "spent; it waits for rest");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "io/csv.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -42,7 +43,7 @@ TEST(History, HasAColumnForEachNumber) {
   History(folder / "history.csv").add(m);
   const auto lines = split(content(folder / "history.csv"), '\n');
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0], history_columns());
+  EXPECT_EQ(lines[0] + "\n", csv_row(history_columns()));
   const auto columns = split(lines[0], ',');
   const auto values = split(lines[1], ',');
   ASSERT_EQ(values.size(), columns.size());
@@ -101,7 +102,7 @@ using Steps = std::vector<std::string>;
 TEST(History, ANewFileHasItsHeaderAlone) {
   const TemporaryFolder folder;
   const History history(folder / "history.csv");
-  EXPECT_EQ(content(folder / "history.csv"), std::string(history_columns()) + "\n");
+  EXPECT_EQ(content(folder / "history.csv"), csv_row(history_columns()));
   EXPECT_EQ(folder.files(), 1u);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cases/program/table.h"
+#include "io/csv.h"
 #include "io/history.h"
 
 namespace furnas {
@@ -273,10 +274,8 @@ std::string csv(const Chart& chart) {
   Table table({"series", "x", "y", "low", "high"});
   for (const Series& s : chart.series)
     for (std::size_t k = 0; k < s.x.size(); ++k) {
-      std::string name = s.name;
-      std::replace(name.begin(), name.end(), ',', ';');
       const Bar* const bar = s.bars.empty() ? nullptr : &s.bars[k];
-      table.row({name, fmt::format("{:.6g}", s.x[k]), fmt::format("{:.6g}", s.y[k]),
+      table.row({without_commas(s.name), fmt::format("{:.6g}", s.x[k]), fmt::format("{:.6g}", s.y[k]),
                  bar ? fmt::format("{:.6g}", s.y[k] - bar->below) : "",
                  bar ? fmt::format("{:.6g}", s.y[k] + bar->above) : ""});
     }

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <string_view>
 
 #include "cases/program/build_info.h"
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "io/case_check.h"
 #include "io/case_file.h"
@@ -40,56 +39,16 @@ std::string rows_of(const std::deque<RestWatch::Look>& window) {
   return rows;
 }
 
-/// The numbers under a key, one after the other. Unlike a stream it knows infinity and NaN.
-class Numbers {
- public:
-  Numbers(const Checkpoint& checkpoint, const char* key) : key_(key) {
-    const auto found = checkpoint.extras.find(key);
-    if (found == checkpoint.extras.end()) fail();
-    text_ << found->second;
-  }
-  /// Whether there is another one.
-  bool more() { return static_cast<bool>(text_ >> word_); }
+void require_saved(bool held, const char* key) {
+  if (!held) throw InputError(std::string("the checkpoint does not hold what a run goes on with: ") + key);
+}
 
-  /// Takes these, and there must be no others.
-  template <class... Values>
-  void all(Values&... values) {
-    (one(values), ...);
-    if (more()) fail();
-  }
-  /// Takes these, of which more() has seen the first.
-  template <class First, class... Values>
-  void row(First& first, Values&... values) {
-    parse(first);
-    (one(values), ...);
-  }
-
- private:
-  template <class T>
-  void one(T& value) {
-    if (!more()) fail();
-    parse(value);
-  }
-  template <class T>
-  void parse(T& value) {
-    const char* const end = word_.data() + word_.size();
-    const auto [rest, error] = std::from_chars(word_.data(), end, value);
-    if (error != std::errc{} || rest != end) fail();
-  }
-  void parse(bool& value) {
-    int number = 0;
-    parse(number);
-    if (number != 0 && number != 1) fail();
-    value = number == 1;
-  }
-  [[noreturn]] void fail() const {
-    throw InputError(std::string("the checkpoint does not hold what a run goes on with: ") + key_);
-  }
-
-  const char* key_;
-  std::stringstream text_;
-  std::string word_;
-};
+/// The text under a key.
+const std::string& text_under(const Checkpoint& checkpoint, const char* key) {
+  const auto found = checkpoint.extras.find(key);
+  require_saved(found != checkpoint.extras.end(), key);
+  return found->second;
+}
 
 void refuse_another_version(const Checkpoint& checkpoint) {
   const auto found = checkpoint.extras.find(version_key);
@@ -129,8 +88,9 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
 std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
   std::vector<RestingState> reached;
   if (!checkpoint.extras.contains(resting_states_key)) return reached;  // a packing, but no run
-  Numbers rows(checkpoint, resting_states_key);
-  for (RestingState s; rows.more(); reached.push_back(s)) rows.row(s.pressure, s.phi, s.step);
+  Numbers rows(text_under(checkpoint, resting_states_key));
+  for (RestingState s; rows.more(); reached.push_back(s))
+    require_saved(rows.take(s.pressure, s.phi, s.step), resting_states_key);
   return reached;
 }
 
@@ -138,14 +98,20 @@ Continuation continuation_of(const Checkpoint& checkpoint) {
   refuse_another_version(checkpoint);
   Continuation c;
   c.reached = resting_states_of(checkpoint);
-  Numbers looks(checkpoint, window_key);
+  Numbers looks(text_under(checkpoint, window_key));
   RestWatch::Look look;
   Triangle& h = look.edges;
   for (; looks.more(); c.watch.window.push_back(look))
-    looks.row(look.step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, look.holds, look.holds_loosely);
-  Numbers(checkpoint, look_key)
-      .all(c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance, c.watch.kinetic_energy);
-  Numbers(checkpoint, counts_key).all(c.replaced, c.lists_built, c.wall_seconds, c.jammed);
+    require_saved(looks.take(look.step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, look.holds, look.holds_loosely),
+                  window_key);
+  RestWatch::Saved& watch = c.watch;
+  require_saved(
+      Numbers(text_under(checkpoint, look_key))
+          .take_all(watch.backbone, watch.stress_error, watch.force_imbalance, watch.kinetic_energy),
+      look_key);
+  require_saved(Numbers(text_under(checkpoint, counts_key))
+                    .take_all(c.replaced, c.lists_built, c.wall_seconds, c.jammed),
+                counts_key);
   for (const auto& [key, saved] : checkpoint.extras)
     if (key.starts_with(event_key)) c.events[key.substr(event_key.size())] = saved;
   return c;

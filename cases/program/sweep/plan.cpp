@@ -17,6 +17,7 @@
 #include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
+#include "io/csv.h"
 
 namespace furnas {
 namespace {
@@ -46,8 +47,7 @@ std::string value_in(const Case& c, const std::string& key) {
   std::string value = value_text(*find_key(key.substr(0, key.find('.')), name_in(key)), c);
   std::erase_if(value, [](char letter) { return letter == '"' || letter == '\'' || letter == ' '; });
   std::replace(value.begin(), value.end(), '/', '_');
-  std::replace(value.begin(), value.end(), ',', ';');
-  return value;
+  return without_commas(value);
 }
 
 /// Sets a key to its default.

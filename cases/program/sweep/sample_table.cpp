@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "cases/program/table.h"
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
+#include "io/csv.h"
 
 namespace furnas {
 namespace {
@@ -107,42 +106,33 @@ SampleRow row_of(const Sample& sample) {
 
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
-std::string cell(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ';');
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
-/// Reads the cells of a line one after the other.
+/// Takes the cells of a row one after the other.
 class Cells {
  public:
-  Cells(const std::string& line, std::string place) : place_(std::move(place)) {
-    boost::split(cells_, line, boost::is_any_of(","));
-  }
-  std::size_t size() const { return cells_.size(); }
+  Cells(std::vector<std::string> cells, std::string place)
+      : cells_(std::move(cells)), place_(std::move(place)) {}
   std::string text() { return cells_.at(next_++); }
   template <class Number>
   Number number() {
     const std::string text = this->text();
     if constexpr (std::is_floating_point_v<Number>)
       if (text.empty()) return unknown;
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
+    const std::optional<Number> value = number_in<Number>(text);
+    if (!value)
       throw InputError(fmt::format("{}: \"{}\" in column {}; allowed: a number", place_, text, next_));
-    return value;
+    return *value;
   }
 
  private:
-  std::string place_;
   std::vector<std::string> cells_;
+  std::string place_;
   std::size_t next_ = 0;
 };
 
 double value_of(const SampleTable& table, const SampleRow& row, const char* key, double otherwise) {
   const auto found = std::find(table.keys.begin(), table.keys.end(), key);
   if (found == table.keys.end()) return otherwise;
-  return Cells(row.values[static_cast<std::size_t>(found - table.keys.begin())], key).number<double>();
+  return Cells({row.values[static_cast<std::size_t>(found - table.keys.begin())]}, key).number<double>();
 }
 
 SampleRow row_in(Cells cells, const SampleTable& table) {
@@ -181,7 +171,7 @@ std::string csv(const SampleTable& table) {
   for (const SampleRow& r : table.rows) {
     std::vector<std::string> cells = r.values;
     for (const std::int64_t n : {r.seed, r.large, r.small}) cells.push_back(std::to_string(n));
-    for (const std::string& words : {r.verdict, r.reason}) cells.push_back(cell(words));
+    for (const std::string& words : {r.verdict, r.reason}) cells.push_back(without_commas(words));
     for (const double x : {r.phi_J, r.phi, r.Z, r.Z_backbone, r.backbone}) cells.push_back(cell(x));
     for (const std::int64_t n : r.large_rattlers) cells.push_back(std::to_string(n));
     for (const std::int64_t n : r.small_rattlers) cells.push_back(std::to_string(n));
@@ -196,20 +186,18 @@ SampleTable read_sample_table(const fs::path& folder) {
   std::ifstream file(path);
   if (!file) throw InputError(path.string() + " cannot be read; allowed: the folder of a sweep");
   SampleTable table;
-  std::string line;
-  std::getline(file, line);
-  boost::split(table.keys, line, boost::is_any_of(","));
+  read_csv_row(file, table.keys);
   if (table.keys.size() < columns.size() ||
       !std::equal(columns.begin(), columns.end(), table.keys.end() - static_cast<long>(columns.size())))
     throw InputError(path.string() + ":1: other columns than furnas sweep writes");
   const std::size_t width = table.keys.size();
   table.keys.resize(width - columns.size());
-  for (int number = 2; std::getline(file, line); ++number) {
+  std::vector<std::string> cells;
+  for (int number = 2; read_csv_row(file, cells); ++number) {
     const std::string place = fmt::format("{}:{}", path.string(), number);
-    Cells cells(line, place);
     if (cells.size() != width)
       throw InputError(fmt::format("{}: {} columns; allowed: {}", place, cells.size(), width));
-    table.rows.push_back(row_in(std::move(cells), table));
+    table.rows.push_back(row_in(Cells(cells, place), table));
   }
   return table;
 }

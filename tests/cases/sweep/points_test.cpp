@@ -37,6 +37,26 @@ TEST(SampleTable, ReadsWhatItWrites) {
   EXPECT_EQ(read.rows[1].reason, "all steps are spent; it waits");
 }
 
+/// A spreadsheet may have quoted them, commas included.
+TEST(SampleTable, ReadsQuotedCells) {
+  const TemporaryFolder folder;
+  SampleTable table = paper_table();
+  table.rows = {spent_row("5.0", "0.3", "0.1", 8)};
+  std::string text = csv(table);
+  const std::string reason = "all steps are spent; it waits";
+  text.replace(text.find(reason), reason.size(), "\"all steps are spent, it waits\"");
+  write_file(folder / sample_table_name, text);
+  EXPECT_EQ(read_sample_table(folder / "").rows.at(0).reason, "all steps are spent, it waits");
+}
+
+/// The tables of furnas 0.2.0 in docs/study, byte for byte.
+TEST(SampleTable, ReadsAndWritesThoseOfTheStudy) {
+  for (const char* name : {"alpha_5", "alpha_20", "mono"}) {
+    const std::filesystem::path folder = std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/study" / name;
+    EXPECT_EQ(csv(read_sample_table(folder)), content(folder / sample_table_name)) << name;
+  }
+}
+
 TEST(SampleTable, RefusesWhatIsNone) {
   const TemporaryFolder folder;
   EXPECT_THROW(read_sample_table(folder / ""), InputError);

@@ -112,6 +112,18 @@ TEST(Monitor, SeesALedgerThatDoesNotClose) {
               HasSubstr("the balance of the energy misses 0."));
 }
 
+TEST(Monitor, RefusesAMemoryThatIsNone) {
+  Monitor monitor;
+  monitor.restore("");
+  EXPECT_EQ(monitor.saved(), "");
+  const std::string written = "0.10000000000000001 -2 1.5e-05 3 8 8 8 0 -0.5 0 12000 1";  // by furnas 0.2.0
+  monitor.restore(written);
+  EXPECT_EQ(monitor.saved(), written);
+  for (const std::string& saved :
+       {std::string("0.1 2"), written.substr(0, written.size() - 2), written + " 2", written + "x"})
+    EXPECT_THROW(monitor.restore(saved), InputError) << saved;
+}
+
 /// Events that change the motion on purpose are no fault.
 TEST(Monitor, TakesAPackingThatAnEventHasReplaced) {
   const auto simulation = make_simulation(jammed_model(), squeezed_start());

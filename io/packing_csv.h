@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// Writes a line of names and a line for each particle: id, species, radius, mass, position in the cell,
+/// velocity, spin, force, torque. Throws OutputError.
+void write_packing_csv(const Packing& packing, const std::filesystem::path& path);
+
+}  // namespace furnas
