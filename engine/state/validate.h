@@ -11,8 +11,9 @@ namespace furnas {
 /// particles that exist, and every number is finite.
 std::string flaw_of(const Packing& packing);
 
-/// Throws InputError with such a sentence about spheres and cell, and when two particles share a centre, where no
-/// contact has a normal. Numbers of contacts are not asked for: a step works them out anew from the positions.
+/// Throws InputError with such a sentence about spheres and cell, and when two particles share a centre,
+/// where no contact has a normal. Numbers of contacts are not asked for: a step works them out anew from the
+/// positions.
 void validate(const Packing& packing);
 
 }  // namespace furnas
