@@ -4,9 +4,9 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "io/text_reader.h"
 
@@ -101,11 +101,10 @@ std::uint64_t VtpReader::number(const Attributes& given, std::string_view key, s
   const auto found = given.find(key);
   if (found == given.end()) return missing;
   const std::string& word = found->second;
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || value > size_ * most_growth)
+  const std::optional<std::uint64_t> value = number_in<std::uint64_t>(word);
+  if (!value || *value > size_ * most_growth)
     fail(fmt::format("{} is no whole number that a file of {} bytes can hold", key, size_));
-  return value;
+  return *value;
 }
 
 void VtpReader::read_tag(std::string_view kind, const Attributes& given) {
