@@ -59,23 +59,22 @@ class Seated {
   Seat before_;
 };
 
-/// What a helper does, as a task of oneTBB. A task is handed over inside oneTBB's library, where
-/// ThreadSanitizer does not see it; so whoever makes one and whoever runs one say so here, too.
+/// What a helper does, as a task. It is handed over inside the library of oneTBB, where ThreadSanitizer sees
+/// nothing; so the thread that puts it down and the one that takes it up say so here.
 class Helper {
  public:
   Helper(std::shared_ptr<Team> team, int member) : team_(std::move(team)), member_(member) {}
-  Helper(Helper&& other) noexcept : team_(std::move(other.team_)), member_(other.member_) { hand_over(); }
-  ~Helper() { hand_over(); }
-
+  Helper(Helper&& other) noexcept : team_(std::move(other.team_)), member_(other.member_) {
+    put_down.fetch_add(1, std::memory_order_release);
+  }
   void operator()() const {
-    hand_over();
+    put_down.load(std::memory_order_acquire);
     const Seated here({team_.get(), member_});
     team_->help(member_);
   }
 
  private:
-  static void hand_over() { handed_over.fetch_add(1, std::memory_order_acq_rel); }
-  inline static std::atomic<unsigned> handed_over{0};
+  inline static std::atomic<unsigned> put_down{0};
 
   std::shared_ptr<Team> team_;
   int member_;
