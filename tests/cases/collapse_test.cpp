@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cases/program/run/recording.h"
 #include "engine/state/validate.h"
 #include "tests/cases/runs.h"

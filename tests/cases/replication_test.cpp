@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/base/require.h"
 #include "io/checkpoint.h"
 #include "tests/cases/runs.h"

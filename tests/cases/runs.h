@@ -1,7 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -9,16 +8,6 @@
 #include "tests/io/packings.h"
 
 namespace furnas {
-Command analyze_command();
-Command check_command();
-Command run_command();
-Command resume_command();
-Command certify_command();
-Command render_command();
-Command export_command();
-Command import_command();
-Command replicate_command();
-Command bench_command();
 
 /// What a command answered.
 struct Answer {
@@ -27,15 +16,7 @@ struct Answer {
 };
 
 /// Runs a command of the program in this process.
-inline Answer furnas(const std::vector<std::string>& arguments) {
-  const std::vector<Command> commands = {
-      check_command(),  run_command(),    resume_command(), analyze_command(),   certify_command(),
-      render_command(), export_command(), import_command(), replicate_command(), bench_command()};
-  std::ostringstream out;
-  std::ostringstream err;
-  const ExitCode code = run_program(commands, arguments, {out, err});
-  return {code, out.str(), err.str()};
-}
+Answer furnas(const std::vector<std::string>& arguments);
 
 /// A folder with a case, in which runs leave theirs.
 class Runs {
@@ -67,30 +48,14 @@ picture = "none"
 
   /// Runs the case into the folder `name` with `set` in its place.
   Answer run(const std::string& name, const std::vector<std::string>& set = {},
-             const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments{"run", path("case.toml"), "--out", path(name)};
-    for (const std::string& assignment : set) arguments.insert(arguments.end(), {"--set", assignment});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return furnas(arguments);
-  }
-  Answer resume(const std::string& name, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments{"resume", path(name)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return furnas(arguments);
-  }
-  nlohmann::json result(const std::string& name) const {
-    return nlohmann::json::parse(content(folder_ / (name + "/result.json")));
-  }
+             const std::vector<std::string>& options = {}) const;
+  Answer resume(const std::string& name, const std::vector<std::string>& options = {}) const;
+  /// What the run of this name has written into its result.json.
+  nlohmann::json result(const std::string& name) const;
   std::size_t files() const { return folder_.files(); }
 
   /// Files in the folder of a run that nobody finished or gave back.
-  static std::size_t unfinished(const std::filesystem::path& run) {
-    std::size_t count = 0;
-    if (!std::filesystem::exists(run)) return count;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(run))
-      count += entry.path().extension() == ".tmp" || entry.path().extension() == ".lock";
-    return count;
-  }
+  static std::size_t unfinished(const std::filesystem::path& run);
 
  private:
   TemporaryFolder folder_;
