@@ -6,10 +6,14 @@
 
 namespace furnas {
 
-/// 4000 equal spheres at the density of a jammed packing, in motion.
+/// 500 equal spheres at the density of a jammed packing, in motion, repeated.
+inline Packing mono(const Times& times) {
+  return replicate(read_lammps_data(FURNAS_SOURCE_DIR "/tests/data/mono.data"), times);
+}
+
+/// 4000 of them.
 inline const Packing& dense_packing() {
-  static const Packing packing =
-      replicate(read_lammps_data(FURNAS_SOURCE_DIR "/tests/data/mono.data"), {2, 2, 2});
+  static const Packing packing = mono({2, 2, 2});
   return packing;
 }
 
