@@ -141,8 +141,8 @@ class Delays {
   inline static std::atomic<std::int64_t> pieces_;
 };
 
-// T51: threads that are held up at random before the pieces of every loop of every phase. The phases
-// themselves are a chain (tests/engine/step_test.cpp); which thread does what, and when, is all that is left
+// T51: threads that are held up at random before the pieces of every loop of every phase. Nearly
+// all phases are a chain (tests/engine/step_test.cpp); which thread does what, and when, is all that is left
 // to chance. The packing is so large that even the loops over rows have many pieces.
 TEST_F(Threads, DelaysChangeNoBit) {
   constexpr Job large{.large = 80, .steps = 150};
