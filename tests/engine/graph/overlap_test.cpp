@@ -1,4 +1,3 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -16,9 +15,6 @@
 
 namespace furnas {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 void copy(const int& from, int& to) { to = from; }
 void increment(int& value) { ++value; }
