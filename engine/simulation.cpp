@@ -68,7 +68,10 @@ class SimulationOf final : public Simulation {
     clock_ = {state_.step, clock_.at(state_.step, model_.time_step)};
     model_.time_step = time_step;
   }
-  void set_pressure(double pressure) override { model_.barostat.pressure = pressure; }
+  void set_bath(const Barostat& bath) override {
+    require(bath.freedom == model_.barostat.freedom, "the phases of a step are chosen by the cell's freedom");
+    model_.barostat = bath;
+  }
   int threads() const override { return workers_.threads(); }
   NeighbourCounts neighbours() const override {
     return {.builds = state_.pairs.builds,

@@ -52,12 +52,12 @@ class Simulation {
   /// Steps are as long as this from now on [time]; the time of the packing goes on from where it is.
   virtual void set_time_step(double time_step) = 0;
 
-  /// Changes the pressure of the bath [k_n/d_s].
-  virtual void set_pressure(double pressure) = 0;
+  /// Turns to another bath; the deformations that the cell may make stay what they are.
+  virtual void set_bath(const Barostat& bath) = 0;
 
   virtual std::int64_t step() const = 0;   ///< steps since the start
   virtual const Cell& cell() const = 0;    ///< as it is now
-  virtual const Model& model() const = 0;  ///< with the present pressure and time step
+  virtual const Model& model() const = 0;  ///< with the present bath and time step
 
   /// Threads that it runs on.
   virtual int threads() const = 0;

@@ -36,7 +36,7 @@ struct Case {
     bool attraction = true;  ///< the normal force may turn negative while a contact opens (the paper)
     bool winding =
         true;  ///< damping may wind the spring of a sliding contact beyond Coulomb's limit (the paper)
-    std::string velocity = "peculiar";  ///< which relative velocity a contact feels: "peculiar" or "total"
+    std::string velocity = "total";  ///< which relative velocity a contact feels: "peculiar" or "total"
     friend bool operator==(const Contact&, const Contact&) = default;
   };
 
@@ -46,9 +46,11 @@ struct Case {
     std::string cell = "triclinic";            ///< which deformations the cell may make
     double inertia = 1;                        ///< beta, W in units of M L_ref^2/12
     std::optional<double> inertia_absolute;    ///< W itself, instead of `inertia` [rho d_s^5]
-    double drag = 0;                           ///< g, damps the strain rate of the cell [1/time]
-    double time_step = 0.02;                   ///< in collision times t_c of two spheres of size d_s
+    double cell_damping = 4;                   ///< c, drag of the cell in units of its own rate
+    std::optional<double> drag;                ///< g, the drag itself, instead of `cell_damping` [1/time]
+    std::optional<double> time_step;           ///< [t_c]; empty: chosen by the program
     std::optional<double> time_step_absolute;  ///< instead of `time_step` [time]
+    double mass_exponent = 3;                  ///< x, masses go as d^x
     friend bool operator==(const Compaction&, const Compaction&) = default;
   };
 
@@ -58,8 +60,11 @@ struct Case {
     double stress_error = 1e-3;       ///< largest deviation of a stress component/p_a
     double force_imbalance = 1e-4;    ///< mean |net force| on the backbone/mean contact force
     double kinetic_energy = 1e-11;    ///< per particle [k_n d_s^2]
-    double strain_drift = 1e-6;       ///< largest strain of the cell in 1e5 steps
-    std::int64_t window = 10'000;     ///< steps over which all of these must hold
+    double strain_drift = 1e-6;       ///< largest strain of the cell in 2000 t_c
+    double window = 200;              ///< time over which all of these must hold [t_c]
+    double stilling = 100;            ///< motion is taken out within so many times balance and drift
+    double stilling_energy = 1e4;     ///< and so many times the kinetic energy,
+    double growth = 1.15;             ///< unless that grows by so much in half a window
     std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
     friend bool operator==(const Stop&, const Stop&) = default;
   };
@@ -83,6 +88,7 @@ struct Case {
     friend bool operator==(const Output&, const Output&) = default;
   };
 
+  std::string preset = "none";  ///< where the values come from that the file leaves out
   Mixture mixture;
   Start start;
   Contact contact;

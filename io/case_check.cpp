@@ -71,26 +71,18 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
 
 std::optional<Conflict> conflict_of_time_step(const Case& c) {
   const Protocol protocol = protocol_of(c);
-  const auto dt = time_step_of(protocol);
-  const Touch<double> small_pair = equal_pair(1);
-  if (!dt)
-    return Conflict{
-        "contact.normal_damping",
-        fmt::format("contact.normal_damping = {} overdamps the contact of two small spheres, so that "
-                    "time_step has no collision time to count in; allowed: normal_damping < {:.5g}, "
-                    "or give compaction.time_step_absolute",
-                    c.contact.normal_damping, 2 / std::sqrt(small_pair.reduced_mass))};
   const bool has_small = !c.start.file.empty() || c.mixture.small_fraction > 0;
-  const AnyLaw law = law_of(protocol);
-  const double limit = largest_stable_step(law, equal_pair(has_small ? 1 : c.mixture.size_ratio));
-  if (*dt < limit) return {};
+  const double smallest = has_small ? 1 : c.mixture.size_ratio;
+  const double dt = time_step_of(protocol, smallest);
+  const double limit = largest_stable_step(law_of(protocol), equal_pair(smallest));
+  if (dt < limit) return {};
   const bool absolute = c.compaction.time_step_absolute.has_value();
   return Conflict{
       absolute ? "compaction.time_step_absolute" : "compaction.time_step",
       fmt::format("compaction.time_step{} = {} makes a pair of the smallest spheres unstable; "
                   "allowed: below {:.4g} {}",
-                  absolute ? "_absolute" : "", absolute ? *dt : c.compaction.time_step,
-                  absolute ? limit : limit / *collision_time(law, small_pair), absolute ? "[time]" : "t_c")};
+                  absolute ? "_absolute" : "", absolute ? dt : *c.compaction.time_step,
+                  absolute ? limit : limit / time_unit_of(protocol), absolute ? "[time]" : "t_c")};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "engine/base/require.h"
 #include "io/case_check.h"
+#include "io/case_preset.h"
 #include "io/case_schema.h"
 #include "io/case_syntax.h"
 #include "io/case_table.h"
@@ -21,6 +22,7 @@ namespace {
 using Places = std::map<std::string, std::string>;
 
 constexpr const char* override_place = "--set";
+constexpr const char* preset_key = "preset";
 
 std::string hint(const std::string& nearest, const std::string& known) {
   if (!nearest.empty()) return fmt::format("the nearest known one is {}", nearest);
@@ -75,14 +77,26 @@ void refuse_rivals(const Places& places) {
   }
 }
 
-/// Sets the keys of a parsed file, each checked by itself.
-Case read_keys(const toml::table& root, const std::string& name, Places& places) {
-  Case c;
+/// Sets the preset that was given last, by an override or in the file.
+void set_preset(Case& c, const toml::table& root, const std::string& name,
+                std::span<const std::string> overrides, Places& places) {
+  if (const toml::node* node = root.get(preset_key)) {
+    const std::string place = fmt::format("{}:{}", name, node->source().begin.line);
+    assign(*find_key("", preset_key), *node, c, place);
+    places[preset_key] = place;
+  }
+  for (const std::string& assignment : overrides)
+    if (split_assignment(assignment).path == preset_key) apply_override(c, assignment);
+  for (const std::string_view assignment : assignments_of(c.preset)) apply_override(c, assignment);
+}
+
+/// Sets the keys of a parsed file, each checked by itself, in a case that holds the values of its preset.
+void read_keys(const toml::table& root, const std::string& name, Case& c, Places& places) {
   const auto place_of = [&](const toml::node& node) {
     return fmt::format("{}:{}", name, node.source().begin.line);
   };
   for (const auto& [table_name, node] : root) {
-    if (table_name.str() == sweep_table) continue;
+    if (table_name.str() == sweep_table || table_name.str() == preset_key) continue;
     const toml::table* table = node.as_table();
     if (!is_table_name(table_name.str())) refuse_unknown_table(table_name.str(), node, place_of(node));
     if (table == nullptr)
@@ -101,7 +115,6 @@ Case read_keys(const toml::table& root, const std::string& name, Places& places)
     throw InputError(
         fmt::format("{}: start.file = \"{}\" and [mixture] exclude each other; allowed: one of them",
                     places.at("start.file"), c.start.file));
-  return c;
 }
 
 /// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
@@ -130,9 +143,18 @@ void refuse_sweep(const toml::table& root, const std::string& name) {
 
 void apply_overrides(Case& c, std::span<const std::string> overrides, Places& places) {
   for (const std::string& assignment : overrides) {
-    apply_override(c, assignment);
-    places[split_assignment(assignment).path] = override_place;
+    const std::string path = split_assignment(assignment).path;
+    places[path] = override_place;
+    if (path != preset_key) apply_override(c, assignment);
   }
+}
+
+Case case_of(const toml::table& root, const std::string& name, std::span<const std::string> overrides,
+             Places& places) {
+  Case c;
+  set_preset(c, root, name, overrides, places);
+  read_keys(root, name, c, places);
+  return c;
 }
 
 void refuse_conflicts(const Case& c, const std::string& name, const Places& places) {
@@ -167,11 +189,11 @@ void give_up_rival(const Key& key, Case& c) {
   std::visit(reset, rival.field(c));
 }
 
-/// False for the one of two rivals that is not used: the absolute one counts if it is given.
+/// False for the one of two rivals that is not used: the absolute one, which has no value of its own, counts
+/// if it is given.
 bool counts(const Key& key, const Case& c) {
   if (value_text(key, c).empty()) return false;
-  Case any;
-  const bool absolute = std::holds_alternative<std::optional<double>*>(key.field(any));
+  const bool absolute = value_text(key, Case{}).empty();
   return key.rival.empty() || absolute || value_text(*find_key(key.table, key.rival), c).empty();
 }
 
@@ -181,7 +203,7 @@ Case parse_case(std::string_view toml, const std::string& name, std::span<const 
   Places places;
   const toml::table root = parse_text(toml, name);
   refuse_sweep(root, name);
-  Case c = read_keys(root, name, places);
+  Case c = case_of(root, name, overrides, places);
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
   return c;
@@ -201,7 +223,7 @@ Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides) {
   const std::string name = file.string();
   Places places;
-  Case c = read_keys(root, name, places);
+  Case c = case_of(root, name, overrides, places);
   if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
@@ -223,8 +245,9 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
 void apply_override(Case& c, std::string_view assignment) {
   const auto [path, value] = split_assignment(assignment);
   const auto dot = path.find('.');
-  const std::string table = path.substr(0, dot);
-  const std::string name = dot == std::string::npos ? "" : path.substr(dot + 1);
+  const bool in_table = path != preset_key;
+  const std::string table = in_table ? path.substr(0, dot) : "";
+  const std::string name = !in_table ? path : dot == std::string::npos ? "" : path.substr(dot + 1);
   if (name.empty() || value.empty())
     throw InputError(
         fmt::format("{}: {} is not an assignment; allowed: table.key=value, e.g. contact.friction=0.3",

@@ -19,7 +19,10 @@ RestCriteria rest_of(const Case::Stop& stop) {
           .force_imbalance = stop.force_imbalance,
           .kinetic_energy = stop.kinetic_energy,
           .strain_drift = stop.strain_drift,
-          .window = stop.window};
+          .window = stop.window,
+          .stilling = stop.stilling,
+          .stilling_energy = stop.stilling_energy,
+          .growth = stop.growth};
 }
 
 }  // namespace
@@ -45,6 +48,7 @@ Protocol protocol_of(const Case& c) {
           .cell = freedom_of(c.compaction.cell),
           .inertia = c.compaction.inertia,
           .inertia_absolute = c.compaction.inertia_absolute,
+          .cell_damping = c.compaction.cell_damping,
           .drag = c.compaction.drag,
           .time_step = c.compaction.time_step,
           .time_step_absolute = c.compaction.time_step_absolute,
@@ -55,10 +59,12 @@ Protocol protocol_of(const Case& c) {
 }
 
 Packing start_of(const Case& c) {
-  if (c.start.file.empty()) return dilute_start(mixture_of(c));
-  Packing packing = read_packing(c.start.file);
+  const bool drawn = c.start.file.empty();
+  Packing packing = drawn ? dilute_start(mixture_of(c)) : read_packing(c.start.file);
   packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
+  constexpr double of_solid_spheres = 3;
+  if (c.compaction.mass_exponent != of_solid_spheres) set_masses(packing, c.compaction.mass_exponent);
   return packing;
 }
 

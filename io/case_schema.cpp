@@ -32,6 +32,14 @@ Key either(std::string_view table, std::string_view name, std::string_view rival
   return {table, name, unit, allowed, {}, rival, doc, field};
 }
 
+std::vector<Key> whole_case() {
+  return {
+      plain("", "preset", "", Choices{"none", "paper", "reference", "fast"},
+            "values of the keys that are left out: the defaults, the paper's protocol, the most careful, the "
+            "fewest steps",
+            [](Case& c) -> Field { return &c.preset; })};
+}
+
 std::vector<Key> mixture_and_start() {
   return {
       plain("mixture", "size_ratio", "", from_to(1, 100),
@@ -100,15 +108,25 @@ std::vector<Key> compaction() {
       either("compaction", "inertia_absolute", "inertia", "rho d_s^5", above_to(0, 1e30),
              "inertia of the cell W itself, instead of inertia",
              [](Case& c) -> Field { return &c.compaction.inertia_absolute; }),
-      plain("compaction", "drag", "1/time", from_to(0, 1000),
-            "damps the strain rate of the cell as exp(-drag t); changes frictional phi_J by about 0.01",
-            [](Case& c) -> Field { return &c.compaction.drag; }),
-      either("compaction", "time_step", "time_step_absolute", "t_c", above_to(0, 0.2),
-             "time step in collision times of two spheres of size d_s; above 0.2 a collision is not resolved",
-             [](Case& c) -> Field { return &c.compaction.time_step; }),
+      either("compaction", "cell_damping", "drag", "", from_to(0, 1000),
+             "drag of the cell over (p_a V/W)^(1/2), V its dense volume; 2 is critical, from 4 on p does not "
+             "overshoot p_a",
+             [](Case& c) -> Field { return &c.compaction.cell_damping; }),
+      either("compaction", "drag", "cell_damping", "1/time", from_to(0, 1000),
+             "drag of the cell itself, instead of cell_damping: its strain rate decays as exp(-drag t)",
+             [](Case& c) -> Field { return &c.compaction.drag; }),
+      {"compaction", "time_step", "t_c", above_to(0, 0.2), "auto", "time_step_absolute",
+       "time step; auto: as long as is stable and right, 0.063 with friction and the usual constants, 0.1 "
+       "without",
+       [](Case& c) -> Field { return &c.compaction.time_step; }},
       either("compaction", "time_step_absolute", "time_step", "time", above_to(0, 1000),
              "time step itself, instead of time_step",
              [](Case& c) -> Field { return &c.compaction.time_step_absolute; }),
+      plain(
+          "compaction", "mass_exponent", "", from_to(0, 3),
+          "mass of a sphere goes as this power of its diameter; 3: solid spheres; below 3 large ones answer "
+          "sooner and frictional packings end looser",
+          [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
   };
 }
 
@@ -126,11 +144,23 @@ std::vector<Key> stop() {
       plain("stop", "kinetic_energy", "k_n d_s^2", above_to(0, 1),
             "kinetic energy per particle, of the backbone (rest) or of all (paper)",
             [](Case& c) -> Field { return &c.stop.kinetic_energy; }),
-      plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 1e5 steps",
+      plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 2000 t_c",
             [](Case& c) -> Field { return &c.stop.strain_drift; }),
-      plain("stop", "window", "steps", from_to(1, 1e9),
-            "stretch over which the conditions must hold without a break",
+      plain("stop", "window", "t_c", above_to(0, 1e9),
+            "time over which the conditions must hold without a break",
             [](Case& c) -> Field { return &c.stop.window; }),
+      plain(
+          "stop", "stilling", "", from_to(0, 1e9),
+          "what still moves is stopped once force_imbalance and strain_drift are within so many times their "
+          "limits; sooner saves steps, too soon loosens mixtures; 0: never",
+          [](Case& c) -> Field { return &c.stop.stilling; }),
+      plain("stop", "stilling_energy", "", from_to(0, 1e30),
+            "and the backbone's kinetic energy is within so many times its own, unless the forces balance",
+            [](Case& c) -> Field { return &c.stop.stilling_energy; }),
+      plain("stop", "growth", "", from_to(1, 1e30),
+            "but not while that energy grows by more than this factor in half a window: an unstable packing "
+            "is let go",
+            [](Case& c) -> Field { return &c.stop.growth; }),
       plain("stop", "steps", "steps", from_to(0, many_steps),
             "cap on the length of the run; a run that ends by it is not called jammed",
             [](Case& c) -> Field { return &c.stop.steps; }),
@@ -177,7 +207,7 @@ std::span<const Key> case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all;
     for (const auto& keys_of_table :
-         {mixture_and_start(), contact(), compaction(), stop(), compute(), output()})
+         {whole_case(), mixture_and_start(), contact(), compaction(), stop(), compute(), output()})
       all.insert(all.end(), keys_of_table.begin(), keys_of_table.end());
     return all;
   }();
@@ -189,12 +219,14 @@ bool Range::contains(double value) const {
          (below_most ? value < most : value <= most);
 }
 
-std::string Key::path() const { return std::string(table) + "." + std::string(name); }
+std::string Key::path() const {
+  return table.empty() ? std::string(name) : std::string(table) + "." + std::string(name);
+}
 
 std::vector<std::string_view> case_tables() {
   std::vector<std::string_view> tables;
   for (const Key& key : case_keys())
-    if (tables.empty() || tables.back() != key.table) tables.push_back(key.table);
+    if (!key.table.empty() && (tables.empty() || tables.back() != key.table)) tables.push_back(key.table);
   return tables;
 }
 

@@ -34,7 +34,7 @@ using Field = std::variant<bool*, int*, std::int64_t*, double*, std::string*, st
 /// One key of the case file. The table of all keys is the only place that knows a key's name, unit,
 /// range and documentation; reading, writing, overriding and documenting all go through it.
 struct Key {
-  std::string_view table;
+  std::string_view table;  ///< empty: above all tables
   std::string_view name;
   std::string_view unit;                                 ///< empty: a pure number or a word
   std::variant<std::monostate, Range, Choices> allowed;  ///< nothing: any value of its type
@@ -43,7 +43,7 @@ struct Key {
   std::string_view doc;         ///< one line
   Field (*field)(Case&);
 
-  /// "table.name", as in --set.
+  /// "table.name", or the name alone, as in --set.
   std::string path() const;
 };
 

@@ -96,7 +96,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"force_balance", found_balance ? Json(found_balance) : Json(nullptr)},
       {"force_imbalance", backbone.backbone > 0 ? Json(m.force_imbalance) : Json(nullptr)},
       {"stress_error", r.rest.stress_error},
-      {"strain_drift_per_1e5_steps", r.rest.strain_drift},
+      {"strain_drift_in_2000_t_c", r.rest.strain_drift},
       {"kinetic_energy_per_particle", m.kinetic_energy},
       {"backbone_kinetic_energy_per_particle",
        backbone.backbone > 0 ? Json(m.backbone_kinetic_energy) : Json(nullptr)},

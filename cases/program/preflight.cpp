@@ -82,19 +82,37 @@ std::string refusal_of_memory(double particles, const MemoryLimit& limit, const 
                      limit.bytes / 1e9, smaller(particles, limit, c));
 }
 
+/// Time step over t_c.
+double relative_step(const Case& c, double smallest) {
+  const Protocol protocol = protocol_of(c);
+  return time_step_of(protocol, smallest) / time_unit_of(protocol);
+}
+
+double steps_of_window(const Case& c, double smallest) { return c.stop.window / relative_step(c, smallest); }
+
+/// What chose the time step.
+std::string choice_of_step(const Case& c) {
+  if (c.compaction.time_step_absolute) return "compaction.time_step_absolute";
+  if (c.compaction.time_step) return "compaction.time_step";
+  return c.contact.friction > 0 ? "auto: stable for a small sphere that sticks to eight others"
+                                : "auto: a tenth of a collision of two small spheres";
+}
+
 /// A run that cannot come to rest, or not within a lifetime.
-std::string refusal_of_time(double seconds_a_step, const Case& c) {
+std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
   if (c.compaction.cell == "fixed") return {};  // ends with its steps and is meant to
-  if (c.contact.normal_damping == 0 && c.contact.friction == 0 && c.compaction.drag == 0)
-    return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and compaction.drag = "
-           "0, so "
+  if (c.contact.normal_damping == 0 && c.contact.friction == 0 &&
+      c.compaction.drag.value_or(c.compaction.cell_damping) == 0)
+    return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and "
+           "compaction.cell_damping = 0, so "
            "that the packing never comes to rest; give one of them a value, or take compaction.cell = "
            "\"fixed\"";
   constexpr double longest = 30 * 365.25 * 86400;  // [s]
-  const double shortest = seconds_a_step * static_cast<double>(std::min(c.stop.window, c.stop.steps));
+  const double window = steps_of_window(c, smallest);
+  const double shortest = seconds_a_step * std::min(window, static_cast<double>(c.stop.steps));
   if (shortest > longest)
     return fmt::format(
-        "one window of stop.window = {} steps takes about {:.0f} years; take a shorter window or "
+        "one window of stop.window = {} t_c takes about {:.0f} years; take a shorter window or "
         "fewer particles",
         c.stop.window, shortest / (365.25 * 86400));
   return {};
@@ -139,9 +157,10 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
                   n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
   const AnyLaw law = law_of(protocol_of(c));
-  const double dt = time_step_of(protocol_of(c)).value_or(0);
-  out.report += fmt::format("time step {:.6g}, {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n",
-                            dt, dt * pair_frequency(law, pair_of(n.small, n.small)));
+  const double dt = time_step_of(protocol_of(c), n.small);
+  out.report += fmt::format(
+      "time step {:.6g}, {:.3g} t_c ({}), {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n", dt,
+      relative_step(c, n.small), choice_of_step(c), dt * pair_frequency(law, pair_of(n.small, n.small)));
   out.report += pairs_report(n, law);
 
   const double dense = 0.64;
@@ -163,11 +182,11 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&
-      windows * static_cast<double>(c.stop.window) > static_cast<double>(c.stop.steps))
-    out.report += fmt::format("verdict   none: {} window{} of {} steps do not fit into the cap of {} steps\n",
+      windows * steps_of_window(c, n.small) > static_cast<double>(c.stop.steps))
+    out.report += fmt::format("verdict   none: {} window{} of {} t_c do not fit into the cap of {} steps\n",
                               windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
   out.refusal = refusal_of_memory(n.particles(), limit, c);
-  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c);
+  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c, n.small);
   return out;
 }
 

@@ -68,7 +68,7 @@ double RestWatch::drift_over(std::int64_t count) const {
   if (static_cast<std::int64_t>(window_.size()) <= count) return std::numeric_limits<double>::infinity();
   const Look& then = *(window_.end() - 1 - count);
   const Look& now = window_.back();
-  return strain_between(then.edges, now.edges) * 1e5 / static_cast<double>(now.step - then.step);
+  return strain_between(then.edges, now.edges) * drift_steps_ / static_cast<double>(now.step - then.step);
 }
 
 bool RestWatch::all_hold(bool Look::*holds, std::int64_t count) const {
@@ -93,12 +93,12 @@ std::string RestWatch::furthest() const {
   return worst->share >= 1 && std::isfinite(worst->share) ? worst->name : "the window";
 }
 
-bool NextPressure::due(Observation& now) { return !pressures_.empty() && watch_.look(now).resting; }
+bool NextPressure::due(Observation& now) { return !baths_.empty() && watch_.look(now).resting; }
 
 std::optional<Verdict> NextPressure::fire(Observation& now) {
   reached_.push_back({now.simulation().model().barostat.pressure, now.measures().phi, now.step()});
-  now.simulation().set_pressure(pressures_.front());
-  pressures_.erase(pressures_.begin());
+  now.simulation().set_bath(baths_.front());
+  baths_.erase(baths_.begin());
   watch_.restart();
   return {};
 }

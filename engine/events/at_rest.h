@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/compaction.h"
+#include "engine/events/rhythm.h"
 
 namespace furnas {
 
@@ -16,10 +17,19 @@ struct RestCriteria {
   double force_imbalance = 1e-4;      ///< mean |net force| on the backbone/mean contact force
   double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
   double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
-  double strain_drift = 1e-6;         ///< of the cell, per 1e5 steps
+  double strain_drift = 1e-6;         ///< of the cell, per drift_time
   double largest_overlap = 0.5;       ///< of the smaller radius; beyond, the law means nothing
-  std::int64_t window = 10'000;       ///< [steps]
+  double window = 200;                ///< [t_c]
+  /// Motion is taken out once balance and drift are within so many times their limits,
+  double stilling = 100;
+  /// and the energy within so many times its own (engine/events/quench.h).
+  double stilling_energy = 1e4;
+  /// unless the backbone's energy grows by more than this factor in half a window.
+  double growth = 1.15;
 };
+
+/// The time over which a drift is counted [t_c].
+inline constexpr double drift_time = 2000;
 
 /// The criteria as they stand; infinite before the first look.
 struct RestReport {
@@ -29,7 +39,7 @@ struct RestReport {
   double stress_error = unknown;
   double force_imbalance = unknown;
   double kinetic_energy = unknown;  ///< [k_n d_s^2]
-  double strain_drift = unknown;    ///< per 1e5 steps, over one window or ten; infinite until one is full
+  double strain_drift = unknown;    ///< per drift_time, over one window or ten; infinite until one is full
   bool resting{};                   ///< all held at every look of the window
   bool loosely{};                   ///< resting, but with the loose limit of the force balance
   std::string waiting_for;          ///< the criterion that is furthest from its limit; empty when resting
@@ -41,7 +51,10 @@ double stress_error(const Measures& measures, const Barostat& barostat);
 /// Keeps the looks of the last window and judges them. Shared by the events that wait for rest.
 class RestWatch {
  public:
-  explicit RestWatch(const RestCriteria& criteria) : criteria_(criteria) {}
+  RestWatch(const RestCriteria& criteria, const Rhythm& rhythm)
+      : criteria_(criteria),
+        period_(rhythm.steps(criteria.window / looks)),
+        drift_steps_(static_cast<double>(rhythm.steps(drift_time))) {}
 
   /// What is kept of a look.
   struct Look {
@@ -52,7 +65,7 @@ class RestWatch {
   };
 
   /// Steps between two looks, and those that a full window spans.
-  std::int64_t period() const { return std::max<std::int64_t>(criteria_.window / looks, 1); }
+  std::int64_t period() const { return period_; }
   std::int64_t window_length() const { return looks * period(); }
 
   /// Takes a look, once a step.
@@ -83,6 +96,8 @@ class RestWatch {
   std::string furthest() const;
 
   RestCriteria criteria_;
+  std::int64_t period_;  // [steps]
+  double drift_steps_;
   std::deque<Look> window_;
   RestReport report_;
 };
@@ -94,11 +109,11 @@ struct RestingState {
   std::int64_t step{};
 };
 
-/// When the packing rests and pressures are left, records its state and sets the next one.
+/// When the packing rests and pressures are left, records its state and turns to the bath of the next one.
 class NextPressure final : public Event {
  public:
-  NextPressure(RestWatch& watch, std::vector<double> pressures, std::vector<RestingState>& reached)
-      : watch_(watch), pressures_(std::move(pressures)), reached_(reached) {}
+  NextPressure(RestWatch& watch, std::vector<Barostat> baths, std::vector<RestingState>& reached)
+      : watch_(watch), baths_(std::move(baths)), reached_(reached) {}
   const char* name() const override { return "next pressure"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
@@ -106,7 +121,7 @@ class NextPressure final : public Event {
 
  private:
   RestWatch& watch_;
-  std::vector<double> pressures_;
+  std::vector<Barostat> baths_;
   std::vector<RestingState>& reached_;
 };
 

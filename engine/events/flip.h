@@ -9,11 +9,12 @@ namespace furnas {
 /// names of images change, exactly, in integers. Returns whether anything changed.
 bool flip_cell(Packing& packing);
 
-/// Looks at the tilt of the cell every hundred steps and flips it.
+/// Looks at the tilt of the cell from time to time and flips it.
 class Flip final : public Event {
  public:
+  explicit Flip(std::int64_t period) : period_(period) {}
   const char* name() const override { return "flip"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 100); }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, period_); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
@@ -24,6 +25,7 @@ class Flip final : public Event {
   std::int64_t count() const { return count_; }
 
  private:
+  std::int64_t period_;  // [steps]
   std::int64_t count_ = 0;
 };
 

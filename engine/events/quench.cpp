@@ -1,66 +1,89 @@
 #include "engine/events/quench.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
-#include "engine/monitor/energy.h"
 
 namespace furnas {
 namespace {
 
-/// Kinetic energy of all particles and of the cell [k_n d_s^2].
-double motion(Observation& now) {
-  const Measures& m = now.measures();
-  return m.energy.kinetic +
-         0.5 * now.simulation().model().barostat.inertia * contraction(m.cell.rate, m.cell.rate);
-}
+constexpr std::size_t looks_judged = 10;  // those of a window
 
 }  // namespace
 
+/// Whether the geometric mean of the later five energies is well above that of the earlier five. Knocks of
+/// rattlers scatter by more than a slow growth, but a growth that lasts is seen at one of the next windows.
+bool Quench::growing() const {
+  const auto half = static_cast<std::ptrdiff_t>(looks_judged / 2);
+  const auto sum_of_logarithms = [](auto first, auto last) {
+    double sum = 0;
+    for (; first != last; ++first) sum += std::log(std::max(*first, 1e-300));
+    return sum;
+  };
+  const double early = sum_of_logarithms(energies_.begin(), energies_.begin() + half);
+  const double late = sum_of_logarithms(energies_.begin() + half, energies_.end());
+  return late - early > static_cast<double>(half) * std::log(watch_.criteria().growth);
+}
+
 bool Quench::due(Observation& now) {
-  constexpr double nearly = 100;  // times the limits; the stress, which the cell follows at once, 10 times
-  constexpr std::int64_t patience = 50, often = 20;
-  constexpr double of_its_peak = 0.5;
+  constexpr double slowly = 100, of_stress = 10;  // times the limits; the cell follows the stress at once
+  constexpr std::int64_t patience = 50;           // [windows]
   if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
     pressure_ = pressure;
-    count_at_pressure_ = slow_windows_ = 0;
-    peak_ = 0;
+    slow_windows_ = 0;
+    energies_.clear();
   }
   const RestReport& r = watch_.look(now);
   const RestCriteria& c = watch_.criteria();
-  const bool slow =
-      r.backbone > 0 && r.stress_error < 10 * c.stress_error && r.kinetic_energy < nearly * c.kinetic_energy;
-  const bool window_ends = now.step() % watch_.window_length() == 0;
-  if (window_ends) slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
-  const bool near =
-      r.force_imbalance < nearly * c.force_imbalance && r.strain_drift < nearly * c.strain_drift;
+  energies_.push_back(r.kinetic_energy);
+  if (energies_.size() > looks_judged) energies_.pop_front();
+  if (now.step() % watch_.window_length() != 0) return false;
+
+  const bool pressed = r.backbone > 0 && r.stress_error < of_stress * c.stress_error;
+  const bool slow = pressed && r.kinetic_energy < slowly * c.kinetic_energy;
+  slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
+  const bool near = pressed && r.force_imbalance < c.stilling * c.force_imbalance &&
+                    r.strain_drift < c.stilling * c.strain_drift;
   // What moves though forces balance is felt by no contact: a bridge that spins.
-  const bool unfelt =
-      r.backbone > 0 && near && r.stress_error < c.stress_error && r.force_imbalance < c.force_imbalance;
-  const double moving = motion(now);
-  peak_ = std::max(peak_, moving);
-  const bool timely = count_at_pressure_ < often ? window_ends : moving < of_its_peak * peak_;
-  return timely && (unfelt || (slow && (near || slow_windows_ > patience)));
+  const bool unfelt = r.stress_error < c.stress_error && r.force_imbalance < c.force_imbalance;
+  const bool cold = r.kinetic_energy < c.stilling_energy * c.kinetic_energy;
+  const bool still = near && (cold || unfelt);
+  const bool judged = energies_.size() == looks_judged;
+  const bool in_vain = slow && slow_windows_ > patience;
+  return c.stilling > 0 && judged && !growing() && (still || in_vain);
 }
 
 std::string Quench::saved() {
-  return exact_text(count_, pressure_, count_at_pressure_, slow_windows_, peak_);
+  std::string text = exact_text(count_, pressure_, slow_windows_);
+  for (const double energy : energies_) text.append(1, ' ').append(exact_text(energy));
+  return text;
 }
 
 void Quench::restore(const std::string& saved) {
   if (saved.empty()) return;
-  const bool read = Numbers(saved).take_all(count_, pressure_, count_at_pressure_, slow_windows_, peak_);
-  if (!read || count_ < 0 || !(pressure_ >= 0) || count_at_pressure_ < 0 || slow_windows_ < 0 ||
-      !(peak_ >= 0))
-    throw InputError("a run remembers \"" + saved + "\" where it must remember five numbers from 0 on");
+  const auto refuse = [&] {
+    throw InputError("a run remembers \"" + saved +
+                     "\" where it must remember a count, a pressure, a count of "
+                     "windows and up to ten energies, all from 0 on");
+  };
+  Numbers numbers(saved);
+  if (!numbers.take(count_, pressure_, slow_windows_) || count_ < 0 || !(pressure_ >= 0) || slow_windows_ < 0)
+    refuse();
+  energies_.clear();
+  while (numbers.more()) {
+    double energy = 0;
+    if (!numbers.take(energy) || !(energy >= 0) || energies_.size() == looks_judged) refuse();
+    energies_.push_back(energy);
+  }
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {
   // What the step has kept of the motion, its stress and half a step of its losses, acts once more.
   now.stop_all_motion();
-  peak_ = 0;
-  ++count_, ++count_at_pressure_;
+  energies_.clear();
+  ++count_;
   return {};
 }
 

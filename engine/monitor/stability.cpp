@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -38,6 +39,13 @@ double largest_stable_step(const AnyLaw& law, const Touch<double>& pair) {
   if (!has_friction(law)) return normal;
   // Slip of two spheres meets 7/2 of the inverse mass: they also turn.
   return std::min(normal, stable_step(3.5 * s.tangential / pair.reduced_mass, 3.5 * s.tangential_damping));
+}
+
+double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours) {
+  if (!has_friction(law)) return std::numeric_limits<double>::infinity();
+  const ContactStiffness s = stiffness_of(law, pair);
+  const double each = 7.0 * neighbours / 2;  // m_eff = m/2
+  return stable_step(each * s.tangential / pair.reduced_mass, each * s.tangential_damping);
 }
 
 double stiffest_step(const Packing& p, const Model& model) {

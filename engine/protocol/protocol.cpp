@@ -1,6 +1,8 @@
 #include "engine/protocol/protocol.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -9,6 +11,11 @@
 #include "engine/monitor/stability.h"
 
 namespace furnas {
+namespace {
+
+constexpr double reference_fraction = 0.64;  // of a dense packing
+
+}  // namespace
 
 AnyLaw law_of(const Protocol& p) {
   const bool legacy = p.law == HookeHistory::name;
@@ -30,34 +37,53 @@ Touch<double> equal_pair(double diameter) {
   return resting_touch(diameter / 2, diameter / 2, reduced_mass(mass, mass), 0);
 }
 
-std::optional<double> time_step_of(const Protocol& p) {
-  if (p.time_step_absolute) return p.time_step_absolute;
-  const auto unit = collision_time(law_of(p), equal_pair(1));
-  if (!unit) return {};
-  return p.time_step * *unit;
+double time_unit_of(const Protocol& p) {
+  const AnyLaw law = law_of(p);
+  const Touch<double> pair = equal_pair(1);
+  const double undamped = std::numbers::pi / std::sqrt(stiffness_of(law, pair).normal / pair.reduced_mass);
+  return collision_time(law, pair).value_or(undamped);
 }
 
+double time_step_of(const Protocol& p, double smallest) {
+  if (p.time_step_absolute) return *p.time_step_absolute;
+  if (p.time_step) return *p.time_step * time_unit_of(p);
+  const AnyLaw law = law_of(p);
+  const Touch<double> pair = equal_pair(smallest);
+  const double limit = largest_stable_step(law, pair) / 3;
+  const double of_collision =
+      (has_friction(law) ? 0.08 : 0.1) * collision_time(law, pair).value_or(limit / 0.08);
+  constexpr int neighbours = 8;  // docs/decisions.md, "How long a step may be"
+  return std::min({of_collision, limit, largest_stable_step_among(law, pair, neighbours)});
+}
+
+double smallest_diameter(const Packing& p) { return 2 * *std::min_element(p.radius.begin(), p.radius.end()); }
+
 double cell_inertia(double beta, double mass, double sphere_volume) {
-  constexpr double reference_fraction = 0.64;
   const double length = std::cbrt(sphere_volume / reference_fraction);
   return beta * mass * length * length / 12;
 }
 
-Model model_of(const Protocol& p, const Packing& start) {
-  const auto step = time_step_of(p);
-  if (!step)
-    throw InputError(
-        "compaction.time_step: no collision time, the contact of two small spheres is overdamped");
+std::vector<Barostat> baths_of(const Protocol& p, const Packing& start) {
   const double mass = std::accumulate(start.mass.begin(), start.mass.end(), 0.0);
+  const double volume = start.sphere_volume();
+  const double inertia = p.inertia_absolute.value_or(cell_inertia(p.inertia, mass, volume));
+  std::vector<Barostat> baths;
+  for (const double pressure : p.pressures) {
+    const double rate = std::sqrt(pressure * volume / reference_fraction / inertia);
+    baths.push_back({.freedom = p.cell,
+                     .pressure = pressure,
+                     .inertia = inertia,
+                     .drag = p.drag.value_or(p.cell_damping * rate),
+                     .legacy = p.law == HookeHistory::name});
+  }
+  return baths;
+}
+
+Model model_of(const Protocol& p, const Packing& start) {
   return {.law = law_of(p),
           .precision = p.precision,
-          .barostat = {.freedom = p.cell,
-                       .pressure = p.pressures.front(),
-                       .inertia =
-                           p.inertia_absolute.value_or(cell_inertia(p.inertia, mass, start.sphere_volume())),
-                       .drag = p.drag,
-                       .legacy = p.law == HookeHistory::name},
-          .time_step = *step,
+          .barostat = baths_of(p, start).front(),
+          .time_step = time_step_of(p, smallest_diameter(start)),
           .affine_velocity = p.affine_velocity,
           .skin = p.skin};
 }

@@ -17,14 +17,15 @@ struct Protocol {
   /// Name of the contact law. With a friction of 0 it stands for the law without spin and history.
   std::string law = HookeSynchronized::name;
   HookeConstants contact{.friction = 0.3};
-  bool affine_velocity = false;  ///< contacts feel the cell's flow, too
+  bool affine_velocity = true;  ///< contacts feel the cell's flow, too
 
-  std::vector<double> pressures{1e-4};         ///< p_a, one after the other [k_n/d_s]
-  CellFreedom cell = CellFreedom::triclinic;   ///< which deformations the cell may make
-  double inertia = 1;                          ///< beta, W in units of M L_ref^2/12
-  std::optional<double> inertia_absolute{};    ///< W itself, instead of `inertia` [rho d_s^5]
-  double drag = 0;                             ///< g, damps the strain rate of the cell [1/time]
-  double time_step = 0.02;                     ///< in collision times t_c of two spheres of size d_s
+  std::vector<double> pressures{1e-4};        ///< p_a, one after the other [k_n/d_s]
+  CellFreedom cell = CellFreedom::triclinic;  ///< which deformations the cell may make
+  double inertia = 1;                         ///< beta, W in units of M L_ref^2/12
+  std::optional<double> inertia_absolute{};   ///< W itself, instead of `inertia` [rho d_s^5]
+  double cell_damping = 4;                    ///< c, drag of the cell in units of its own rate; 2 is critical
+  std::optional<double> drag{};               ///< g, the drag itself, instead of `cell_damping` [1/time]
+  std::optional<double> time_step{};          ///< [t_c]; chosen by the program if absent
   std::optional<double> time_step_absolute{};  ///< instead of `time_step` [time]
 
   RestCriteria rest{};              ///< when the packing counts as jammed
@@ -44,16 +45,28 @@ int backbone_threshold(const AnyLaw& law);
 /// Two spheres of this diameter [d_s] that just touch.
 Touch<double> equal_pair(double diameter);
 
-/// The time step; empty if it is counted in collision times and two spheres of size d_s are overdamped
-/// [time].
-std::optional<double> time_step_of(const Protocol& protocol);
+/// t_c, in which a protocol counts its times: the collision time of two spheres of size d_s; of the undamped
+/// pair if it is overdamped [time].
+double time_unit_of(const Protocol& protocol);
+
+/// The time step [time]. Chosen by the program, it follows from two of the smallest spheres, of this diameter
+/// [d_s]: 0.1 of their collision time (0.08 with friction), at most a third of their largest stable step, and
+/// at most the step that is stable for a sphere that sticks to eight others of its size (docs/decisions.md).
+double time_step_of(const Protocol& protocol, double smallest = 1);
+
+/// Diameter of the smallest sphere [d_s].
+double smallest_diameter(const Packing& packing);
 
 /// W = beta M L_ref^2/12 with L_ref^3 = V_s/0.64: the inertia of a cube of the packing itself, M and V_s
 /// being mass and volume of all spheres [rho d_s^5].
 double cell_inertia(double beta, double mass, double sphere_volume);
 
+/// The bath at each pressure of the protocol, for a packing of such spheres. The drag is c (p_a V/W)^(1/2), V
+/// the volume of a cell that the spheres fill to 0.64.
+std::vector<Barostat> baths_of(const Protocol& protocol, const Packing& start);
+
 /// What is simulated when `start` is compressed: the law and its constants, the bath at the first pressure,
-/// the time step. Throws InputError where the protocol gives no time step.
+/// the time step.
 Model model_of(const Protocol& protocol, const Packing& start);
 
 }  // namespace furnas

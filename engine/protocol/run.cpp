@@ -10,6 +10,10 @@
 namespace furnas {
 namespace {
 
+Rhythm rhythm_of(const Protocol& protocol, const Packing& start) {
+  return Rhythm(time_step_of(protocol, smallest_diameter(start)) / time_unit_of(protocol));
+}
+
 template <class E>
 std::int64_t count_of(const Events& events) {
   for (const auto& event : events)
@@ -26,21 +30,23 @@ ProtocolRun::ProtocolRun(const Protocol& protocol, const Packing& start, int thr
 
 ProtocolRun::ProtocolRun(const Protocol& protocol, const Packing& reached, int threads, const RunState& past)
     : protocol_(protocol),
+      baths_(baths_of(protocol, reached)),
+      rhythm_(rhythm_of(protocol, reached)),
       simulation_(make_simulation(model_of(protocol, reached), reached, threads)),
       now_(*simulation_, backbone_threshold(simulation_->model().law), past.replaced),
-      watch_(protocol.rest),
+      watch_(protocol.rest, rhythm_),
       reached_(past.reached),
       past_(past),
       goes_on_(true) {
   watch_.restore(past.watch);
-  if (!reached_.empty()) simulation_->set_pressure(protocol.pressures.at(reached_.size()));
+  if (!reached_.empty()) simulation_->set_bath(baths_.at(reached_.size()));
 }
 
 void ProtocolRun::begin(Onlookers onlookers) {
   require(events_.empty(), "a run begins once");
   const auto next = static_cast<std::ptrdiff_t>(1 + reached_.size());
-  events_ = schedule(protocol_, {protocol_.pressures.begin() + next, protocol_.pressures.end()}, watch_,
-                     reached_, std::move(onlookers));
+  events_ = schedule(protocol_, rhythm_, {baths_.begin() + next, baths_.end()}, watch_, reached_,
+                     std::move(onlookers));
   for (const auto& event : events_) {
     const auto saved = past_.events.find(event->name());
     event->restore(saved == past_.events.end() ? std::string() : saved->second);

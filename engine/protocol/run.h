@@ -67,6 +67,8 @@ class ProtocolRun {
   Outcome compact_on(std::atomic<bool>* attention);
 
   Protocol protocol_;
+  std::vector<Barostat> baths_;  ///< one for each pressure
+  Rhythm rhythm_;
   std::unique_ptr<Simulation> simulation_;
   Observation now_;
   RestWatch watch_;

@@ -12,9 +12,9 @@
 
 namespace furnas {
 
-Events schedule(const Protocol& protocol, std::vector<double> later_pressures, RestWatch& watch,
+Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Barostat> later, RestWatch& watch,
                 std::vector<RestingState>& reached, Onlookers onlookers) {
-  constexpr std::int64_t order_period = 10'000;  // [steps]
+  constexpr double order_time = 200, flip_time = 2;  // [t_c]
   const bool can_rest = protocol.cell != CellFreedom::fixed;
   const bool quenches = can_rest && !protocol.rest.kinetic_energy_alone;
 
@@ -23,10 +23,10 @@ Events schedule(const Protocol& protocol, std::vector<double> later_pressures, R
   const auto add_all = [&](Events& some) { std::move(some.begin(), some.end(), std::back_inserter(events)); };
 
   add(std::make_unique<Monitor>());
-  add(std::make_unique<Flip>());
-  add(std::make_unique<RenewOrder>(order_period));
+  add(std::make_unique<Flip>(rhythm.steps(flip_time)));
+  add(std::make_unique<RenewOrder>(rhythm.steps(order_time)));
   add_all(onlookers.before_verdict);
-  if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later_pressures), reached));
+  if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later), reached));
   if (can_rest) add(std::make_unique<AtRest>(watch));
   if (quenches) add(std::make_unique<Quench>(watch));
   add_all(onlookers.after_verdict);

@@ -15,9 +15,10 @@ struct Onlookers {
   Events limits;          ///< they may end the run besides its steps: a wall time, a signal
 };
 
-/// All that can happen in a run, in the order in which events of one step happen. `later_pressures` follow
-/// the one at which the run begins; the pressures at which the packing comes to rest are added to `reached`.
-Events schedule(const Protocol& protocol, std::vector<double> later_pressures, RestWatch& watch,
+/// All that can happen in a run, in the order in which events of one step happen. `later` are the baths that
+/// follow the one in which the run begins; the pressures at which the packing comes to rest are added to
+/// `reached`.
+Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Barostat> later, RestWatch& watch,
                 std::vector<RestingState>& reached, Onlookers onlookers);
 
 }  // namespace furnas

@@ -138,4 +138,9 @@ Packing dilute_start(const Mixture& m) {
   return p;
 }
 
+void set_masses(Packing& p, double exponent) {
+  for (std::size_t k = 0; k < p.size(); ++k)
+    p.mass[k] = sphere_mass(0.5) * std::pow(2 * p.radius[k], exponent);
+}
+
 }  // namespace furnas

@@ -23,4 +23,8 @@ double small_count(const Mixture& mixture);
 /// no free place is found.
 Packing dilute_start(const Mixture& mixture);
 
+/// Gives each sphere the mass (pi/6) d^exponent, d its diameter in units of d_s [rho d_s^3]: the statics know
+/// no masses, and lighter large spheres come to rest sooner.
+void set_masses(Packing& packing, double exponent);
+
 }  // namespace furnas

@@ -57,8 +57,13 @@ std::string refusal_of(const Runs& runs, const std::string& text) {
   return answer.err;
 }
 
+/// The line above a key: its table, or a comment where a key stands above all tables.
+std::string head_of(const Key& key) {
+  return key.table.empty() ? "# no table\n" : fmt::format("[{}]\n", key.table);
+}
+
 std::string case_with(const Key& key, const std::string& value) {
-  return fmt::format("[{}]\n{} = {}\n", key.table, key.name, value);
+  return head_of(key) + fmt::format("{} = {}\n", key.name, value);
 }
 
 /// A value that is allowed, as it stands in a resolved case.
@@ -102,10 +107,11 @@ TEST(ReliableInput, AnyKeyInTheWrongFormIsNamed) {
   for (const Key& key : case_keys()) {
     const std::string name(key.name), table(key.table), good = good_value(key);
     const std::string line = name + " = " + good + "\n";
-    const std::string head = "[" + table + "]\n";
+    const std::string head = head_of(key);
     EXPECT_THAT(refusal_of(runs, head + name + " =\n"), HasSubstr(key.path()));
     EXPECT_THAT(refusal_of(runs, head + name + "\n"), HasSubstr(name));
     EXPECT_THAT(refusal_of(runs, head + line + line), HasSubstr(key.path() + " = "));
+    if (table.empty()) continue;
     EXPECT_THAT(refusal_of(runs, line), HasSubstr(name));
     EXPECT_THAT(refusal_of(runs, head + "[" + table + "." + name + "]\n"), HasSubstr(name));
     const std::string wrong = name.substr(0, name.size() - 1);

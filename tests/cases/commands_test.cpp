@@ -101,7 +101,7 @@ TEST_F(Commands, TemplatesAreTheCaseFiles) {
 TEST_F(Commands, SchemaListsEveryKey) {
   ASSERT_EQ(furnas({"schema"}), ExitCode::done);
   for (const Key& key : case_keys()) EXPECT_THAT(out_, HasSubstr("  " + std::string(key.name) + " = "));
-  EXPECT_THAT(out_, HasSubstr("real in t_c; allowed: 0 < time_step <= 0.2"));
+  EXPECT_THAT(out_, HasSubstr("real or \"auto\" in t_c; allowed: \"auto\" or 0 < time_step <= 0.2"));
 }
 
 TEST_F(Commands, TheReferencePageIsWhatSchemaWrites) {

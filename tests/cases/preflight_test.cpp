@@ -40,14 +40,23 @@ TEST(Preflight, CountsTheSpheresAndTheirPairs) {
 /// w dt of the stiffest pair: the tangential mode with friction, the normal one without.
 TEST(Preflight, ComparesTheStepWithTheStiffestPair) {
   const double dt = 0.02 * std::numbers::pi / std::sqrt(12 / std::numbers::pi - 0.25 / 4);
+  const std::string step = "time step 0.032415, 0.02 t_c (compaction.time_step), ";
   const double inverse_mass = 12 / std::numbers::pi;  // 1/m_eff of two small spheres
   const auto ratio = [](double x) { return std::to_string(x).substr(0, 4); };
-  EXPECT_THAT(check_case({}).report,
-              HasSubstr("time step 0.032415, " + ratio(dt * std::sqrt(3.5 * inverse_mass))));
-  Case frictionless;
-  frictionless.contact.friction = 0;
-  EXPECT_THAT(check_case(frictionless).report,
-              HasSubstr("time step 0.032415, " + ratio(dt * std::sqrt(inverse_mass))));
+  Case c;
+  c.compaction.time_step = 0.02;
+  EXPECT_THAT(check_case(c).report, HasSubstr(step + ratio(dt * std::sqrt(3.5 * inverse_mass))));
+  c.contact.friction = 0;
+  EXPECT_THAT(check_case(c).report, HasSubstr(step + ratio(dt * std::sqrt(inverse_mass))));
+}
+
+TEST(Preflight, SaysWhatChoseTheStep) {
+  Case c;
+  EXPECT_THAT(check_case(c).report, HasSubstr("0.0633 t_c (auto: stable for a small sphere that sticks"));
+  c.contact.friction = 0;
+  EXPECT_THAT(check_case(c).report, HasSubstr("0.1 t_c (auto: a tenth of a collision"));
+  c.compaction.time_step_absolute = 0.05;
+  EXPECT_THAT(check_case(c).report, HasSubstr("time step 0.05, 0.0308 t_c (compaction.time_step_absolute)"));
 }
 
 TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
@@ -114,12 +123,13 @@ TEST(ReliablePreflight, AdvisesTheLargestThatFits) {
 TEST(ReliablePreflight, RefusesWhatNeverComesToRest) {
   Case c;
   c.contact.normal_damping = 0;
+  c.compaction.drag = 0;
   EXPECT_TRUE(check_case(c).refusal.empty()) << "friction takes energy out";
   c.contact.friction = 0;
   EXPECT_THAT(check_case(c).refusal, HasSubstr("contact.normal_damping = 0"));
   c.compaction.drag = 0.1;
   EXPECT_TRUE(check_case(c).refusal.empty());
-  c.compaction.drag = 0;
+  c.compaction.drag = 0.0;
   c.compaction.cell = "fixed";
   EXPECT_TRUE(check_case(c).refusal.empty());
 }
@@ -128,20 +138,20 @@ TEST(ReliablePreflight, RefusesWhatNobodyLivesToSee) {
   Case c;
   c.mixture.large = 100'000'000;
   c.compute.threads = 1;
-  c.stop.window = 1'000'000'000;
+  c.stop.window = 1e9;
   c.stop.steps = 1'000'000'000'000;
-  EXPECT_THAT(check_case(c, {1e15, "this machine has"}).refusal, HasSubstr("stop.window = 1000000000"));
-  c.stop.window = 10'000;
+  EXPECT_THAT(check_case(c, {1e15, "this machine has"}).refusal, HasSubstr("stop.window = 1000000000 t_c"));
+  c.stop.window = 200;
   EXPECT_TRUE(check_case(c, {1e15, "this machine has"}).refusal.empty());
 }
 
 TEST(ReliablePreflight, SaysWhenStepsDoNotSuffice) {
   Case c;
   EXPECT_THAT(check_case(c).report, Not(HasSubstr("verdict")));
-  c.stop.steps = 15'000;
+  c.stop.steps = 5'000;
   EXPECT_THAT(check_case(c).report, Not(HasSubstr("verdict")));
   c.compaction.pressure = {1e-4, 2e-4};
-  EXPECT_THAT(check_case(c).report, HasSubstr("verdict   none: 2 windows of 10000 steps do not fit"));
+  EXPECT_THAT(check_case(c).report, HasSubstr("verdict   none: 2 windows of 200 t_c do not fit"));
 }
 
 /// Counts beyond 2^31 and 2^32, in which every product with the bytes of a sphere is beyond both.

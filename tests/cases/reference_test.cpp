@@ -36,11 +36,12 @@ std::unique_ptr<Simulation> simulation_of(const Reference& r) {
   const std::string start = data(std::string(r.start) + ".data");
   const Packing packing = read_lammps_data(start);
   const bool fixed = std::string(r.cell) == "nve";
-  const std::string text = "[start]\nfile = \"" + start +
-                           "\"\n[contact]\nlaw = \"hooke_history\"\nfriction = " + r.friction +
-                           "\n[compaction]\npressure = 1e-3\ncell = \"" + (fixed ? "fixed" : "triclinic") +
-                           "\"\ntime_step_absolute = 0.032415\n" +
-                           "inertia_absolute = " + std::to_string(9 * (packing.size() + 1)) + "\n";
+  const std::string text =
+      "[start]\nfile = \"" + start +
+      "\"\n[contact]\nlaw = \"hooke_history\"\nvelocity = \"peculiar\"\nfriction = " + r.friction +
+      "\n[compaction]\ndrag = 0.0\npressure = 1e-3\ncell = \"" + (fixed ? "fixed" : "triclinic") +
+      "\"\ntime_step_absolute = 0.032415\n" +
+      "inertia_absolute = " + std::to_string(9 * (packing.size() + 1)) + "\n";
   Case c = parse_case(text, "reference");
   c.compute.precision = "double";
   const Packing from = start_of(c);

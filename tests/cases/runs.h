@@ -30,12 +30,14 @@ seed = 4
 friction = 0.3
 [compaction]
 pressure = 1e-3
+drag = 0.0
+time_step = 0.02
 [stop]
 stress_error = 1e-2
 force_imbalance = 1e-2
 kinetic_energy = 1e-8
 strain_drift = 1e-3
-window = 1000
+window = 20
 steps = 200_000
 [output]
 history_every = 100

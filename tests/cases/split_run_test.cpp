@@ -36,12 +36,13 @@ friction = 0.1
 pressure = [2e-2, 3e-2]
 inertia = 0.02
 drag = 1.0
+time_step = 0.02
 [stop]
 stress_error = 1.0
 force_imbalance = 1.0
 kinetic_energy = 1.0
 strain_drift = 1.0
-window = 50
+window = 1.0
 steps = 300
 [compute]
 threads = 1

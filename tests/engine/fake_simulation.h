@@ -39,7 +39,7 @@ class FakeSimulation : public Simulation {
     loaded_ = changed;
   }
   void set_time_step(double time_step) override { model_.time_step = time_step; }
-  void set_pressure(double pressure) override { model_.barostat.pressure = pressure; }
+  void set_bath(const Barostat& bath) override { model_.barostat = bath; }
   int threads() const override { return 1; }
   NeighbourCounts neighbours() const override { return {.builds = 17}; }
   const StepGraph& graph() const override { throw ContractError("a made-up simulation has no phases"); }

@@ -50,7 +50,7 @@ Outcome run(int threads, Execution execution = Execution::automatic, const Job& 
   const auto simulation = make_simulation(model, tilting_gas(job.large), threads, execution);
   Observation now(*simulation, 3);
   Events events;
-  events.push_back(std::make_unique<Flip>());
+  events.push_back(std::make_unique<Flip>(100));
   events.push_back(std::make_unique<RenewOrder>(250));
   events.push_back(std::make_unique<Budget>(job.steps));
   EXPECT_EQ(compact(now, events), Verdict::budget);

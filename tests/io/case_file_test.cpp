@@ -12,6 +12,7 @@
 #include "engine/base/require.h"
 #include "engine/monitor/stability.h"
 #include "io/case_check.h"
+#include "io/case_preset.h"
 #include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
@@ -126,9 +127,6 @@ const std::vector<BadInput> bad_inputs = {
     {"stiff tangential spring",
      "[contact]\ntangential_stiffness = 10\ntangential_damping = 8\n[compaction]\ntime_step = 0.2\n",
      {"case.toml:5:", "compaction.time_step = 0.2", "allowed: below 0."}},
-    {"overdamped",
-     "[contact]\nnormal_damping = 4\n",
-     {"case.toml:2:", "normal_damping = 4", "normal_damping < 3.9"}},
     {"too many spheres",
      "[mixture]\nsize_ratio = 100\nsmall_fraction = 0.9\nlarge = 1000\n",
      {"case.toml:4:", "mixture.large = 1000", "9e+09", "at most 2147483647"}},
@@ -190,8 +188,14 @@ TEST(CaseFile, ResolvedCaseReadsBackTheSame) {
   c.mixture = {
       .size_ratio = 20.0 / 3, .small_fraction = 0.1 + 0.2, .large = 77, .start_fraction = 0.1, .seed = 42};
   c.contact = {"hooke_history", 1e30, 0.7, 1e-300, 0, false, false, "total"};
-  c.compaction = {{1e-3, 1.0 / 3e4}, "cubic", 1, 123.456, 0.04, 0.02, 0.03};
-  c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 0};
+  c.compaction = {.pressure = {1e-3, 1.0 / 3e4},
+                  .cell = "cubic",
+                  .inertia_absolute = 123.456,
+                  .drag = 0.04,
+                  .time_step = {},
+                  .time_step_absolute = 0.03,
+                  .mass_exponent = 2.5};
+  c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 10, 1e3, 2, 0};
   c.compute = {"double", 3, 0.25};
   c.output = {10, 20, 0.5, "none", 512, "transparent"};
   EXPECT_EQ(parse_case(resolved_toml(c), "resolved.toml"), c);
@@ -207,7 +211,7 @@ TEST(CaseFile, ResolvedCaseNamesEveryKeyWithItsUnit) {
     if (key.table == "start") continue;
     EXPECT_THAT(text, HasSubstr(std::string(key.name)));
   }
-  EXPECT_THAT(text, ContainsRegex("drag = 0.0 +# .1/time. damps"));
+  EXPECT_THAT(text, ContainsRegex("friction = 0.3 +# Coulomb's"));
   EXPECT_THAT(text, HasSubstr("threads = \"auto\""));
 }
 
@@ -223,6 +227,37 @@ TEST(CaseFile, OverrideSetsOneKey) {
   EXPECT_EQ(c.compute.threads, 2);
   EXPECT_FALSE(c.compute.skin.has_value());
   EXPECT_EQ(time_step_of(protocol_of(c)), 0.03);
+}
+
+TEST(CaseFile, APresetStandsInForTheDefaults) {
+  const Case paper = parse_case("preset = \"paper\"\n", "case.toml");
+  EXPECT_EQ(paper.contact.law, "hooke_history");
+  EXPECT_EQ(paper.contact.velocity, "peculiar");
+  EXPECT_EQ(paper.compaction.time_step, 0.02);
+  EXPECT_EQ(paper.stop.criterion, "paper");
+  EXPECT_EQ(paper.compaction.cell_damping, Case{}.compaction.cell_damping) << "not of the preset";
+  for (const Preset& preset : presets()) {
+    const Case c = parse_case("", "case.toml", std::vector{"preset=" + std::string(preset.name)});
+    EXPECT_NE(c, Case{}) << preset.name;
+    EXPECT_EQ(parse_case(resolved_toml(c), "resolved.toml"), c) << preset.name;
+    EXPECT_NO_THROW(validate(c));
+  }
+}
+
+TEST(CaseFile, AKeyCountsBeforeThePreset) {
+  const std::string text = "preset = \"paper\"\n[contact]\nvelocity = \"total\"\n";
+  EXPECT_EQ(parse_case(text, "case.toml").contact.velocity, "total");
+  EXPECT_EQ(parse_case(text, "case.toml").contact.law, "hooke_history");
+  const auto with = [&](std::vector<std::string> set) { return parse_case(text, "case.toml", set); };
+  EXPECT_EQ(with({"stop.criterion=rest", "preset=paper"}).stop.criterion, "rest") << "in whatever order";
+  EXPECT_EQ(with({"preset=none"}).contact.law, Case{}.contact.law) << "the last preset alone counts";
+  EXPECT_EQ(with({"preset=none"}).contact.velocity, "total");
+}
+
+TEST(CaseFile, AnUnknownPresetIsRefused) {
+  EXPECT_THAT(complaint("preset = \"quick\"\n"), HasSubstr("case.toml:1: preset = \"quick\" is not allowed"));
+  EXPECT_THAT(complaint("", {"preset=quick"}), HasSubstr("\"none\" or \"paper\""));
+  EXPECT_THAT(complaint("[preset]\n"), HasSubstr("is not text in quotes"));
 }
 
 TEST(CaseFile, LaterOfTwoRivalsCounts) {
@@ -249,7 +284,9 @@ TEST(CaseFile, OverrideIsCheckedLikeTheFile) {
 }
 
 TEST(CaseFile, ConflictIsJudgedAfterAllOverrides) {
-  EXPECT_EQ(complaint("[contact]\nnormal_damping = 4\n", {"compaction.time_step_absolute=0.03"}), "");
+  EXPECT_NE(complaint("[compaction]\ntime_step_absolute = 1.0\n"), "");
+  EXPECT_EQ(complaint("[compaction]\ntime_step_absolute = 1.0\n", {"compaction.time_step_absolute=0.03"}),
+            "");
 }
 
 TEST(CaseFile, ValidateChecksACaseMadeByHand) {
@@ -268,7 +305,7 @@ TEST(CaseFile, CountsAndTimesOfThePaper) {
   EXPECT_EQ(small_count({.size_ratio = 40, .small_fraction = 0.292, .large = 1000}), 26395480.0);
   const Protocol protocol = protocol_of({});
   EXPECT_NEAR(*collision_time(law_of(protocol), equal_pair(1)), 1.62075, 1e-5);
-  EXPECT_NEAR(*time_step_of(protocol), 0.032415, 1e-6);
+  EXPECT_NEAR(time_step_of(protocol_of(parse_case("preset = \"paper\"", "paper.toml"))), 0.032415, 1e-6);
 }
 
 TEST(CaseFile, StartIsFoundBesideTheCaseFile) {

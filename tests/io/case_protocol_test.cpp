@@ -53,6 +53,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
                   .cell = "cubic",
                   .inertia = 2,
                   .inertia_absolute = 3,
+                  .cell_damping = 7,
                   .drag = 4,
                   .time_step = 0.01,
                   .time_step_absolute = 0.05};
@@ -62,6 +63,9 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
             .kinetic_energy = 3,
             .strain_drift = 4,
             .window = 5,
+            .stilling = 8,
+            .stilling_energy = 9,
+            .growth = 10,
             .steps = 6};
   c.compute = {.precision = "double", .threads = 7, .skin = 0.8};
   const Protocol p = protocol_of(c);
@@ -77,6 +81,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
   EXPECT_EQ(p.cell, CellFreedom::cubic);
   EXPECT_EQ(p.inertia, 2);
   EXPECT_EQ(p.inertia_absolute, 3);
+  EXPECT_EQ(p.cell_damping, 7);
   EXPECT_EQ(p.drag, 4);
   EXPECT_EQ(p.time_step, 0.01);
   EXPECT_EQ(p.time_step_absolute, 0.05);
@@ -86,6 +91,9 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
   EXPECT_EQ(p.rest.kinetic_energy, 3);
   EXPECT_EQ(p.rest.strain_drift, 4);
   EXPECT_EQ(p.rest.window, 5);
+  EXPECT_EQ(p.rest.stilling, 8);
+  EXPECT_EQ(p.rest.stilling_energy, 9);
+  EXPECT_EQ(p.rest.growth, 10);
   EXPECT_EQ(p.steps, 6);
   EXPECT_EQ(p.precision, Precision::full);
   EXPECT_EQ(p.skin, 0.8);

@@ -71,7 +71,7 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   const Json json = written(example(Verdict::jammed));
   EXPECT_EQ(json["reason"], "because");
   EXPECT_EQ(json["state_hash"], "0123456789abcdef");
-  EXPECT_EQ(json["strain_drift_per_1e5_steps"], 7e-7);
+  EXPECT_EQ(json["strain_drift_in_2000_t_c"], 7e-7);
   EXPECT_EQ(json["stress_error"], 2e-4);
   EXPECT_EQ(json["force_imbalance"], 3e-5);
   EXPECT_EQ(json["stress"],
@@ -131,7 +131,7 @@ TEST(Result, SaysNothingOfWhatIsUnknown) {
   r.rest = {};
   r.measures.rattlers[1].backbone = 0;
   const Json json = written(r);
-  for (const char* key : {"strain_drift_per_1e5_steps", "stress_error", "force_imbalance",
+  for (const char* key : {"strain_drift_in_2000_t_c", "stress_error", "force_imbalance",
                           "backbone_kinetic_energy_per_particle"})
     EXPECT_TRUE(json[key].is_null()) << key;
 }

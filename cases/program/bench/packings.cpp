@@ -95,6 +95,10 @@ void for_each_packing(const PackingChoice& choice, Console console,
 
 Model model_for(const ModelChoice& choice, const Packing& packing) {
   Case c;
+  // What is measured is a step of LAMMPS and of the study.
+  apply_override(c, "contact.velocity=peculiar");
+  apply_override(c, "compaction.time_step=0.02");
+  apply_override(c, "compaction.cell_damping=0");
   apply_override(c, "contact.law=" + choice.law);
   apply_override(c, fmt::format("contact.friction={:.17g}", choice.friction));
   apply_override(c, "compute.precision=" + choice.precision);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <ostream>
 #include <string>
 
 #include "cases/program/commands/command.h"
+#include "io/case_preset.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 
@@ -34,7 +36,7 @@ default 1) says how many seeds, from mixture.seed on. Several grids are several 
 void print_text(std::ostream& out) {
   std::string_view table;
   for (const Key& key : case_keys()) {
-    if (key.table != table) out << fmt::format("{}[{}]\n", table.empty() ? "" : "\n", key.table);
+    if (key.table != table) out << fmt::format("\n[{}]\n", key.table);
     table = key.table;
     out << fmt::format("  {} = {}\n", key.name, default_text(key));
     out << fmt::format("      {}\n", key.doc);
@@ -54,17 +56,22 @@ This page is written by `furnas schema --markdown`.
 )";
 
 void print_markdown(std::ostream& out) {
-  out << introduction;
+  constexpr std::string_view head =
+      "| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+  out << introduction << "\n## preset\n\n" << head;
   std::string_view table;
   for (const Key& key : case_keys()) {
-    if (key.table != table)
-      out << fmt::format(
-          "\n## [{}]\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n",
-          key.table);
+    if (key.table != table) out << fmt::format("\n## [{}]\n\n{}", key.table, head);
     table = key.table;
     out << fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), key.unit,
                        default_text(key), allowed_text(key), key.doc);
   }
+  out << "\n## Presets\n\nThe values of a preset stand in for the defaults; a key that the case gives counts "
+         "before "
+         "both.\n\n| preset | what it is | keys |\n|---|---|---|\n";
+  for (const Preset& preset : presets())
+    out << fmt::format("| `{}` | {} | `{}` |\n", preset.name, preset.does,
+                       fmt::join(preset.assignments, "`, `"));
   out << "\n## [sweep]\n\n" << sweep_doc;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "io/case_protocol.h"
+
 namespace furnas {
 namespace {
 
@@ -56,7 +58,11 @@ std::vector<Sample> refining_samples(const std::vector<Sample>& samples, const s
       if (known.back() == maximum->at) models.push_back(&sample);
     }
     for (const double f : fractions_to_add(known, *maximum))
-      for (const Sample* model : models) added.push_back(moved_to(*model, f, keys, folder));
+      for (const Sample* model : models) {
+        Mixture mixture = mixture_of(model->resolved_case);
+        mixture.small_fraction = f;
+        if (small_count(mixture) >= 1) added.push_back(moved_to(*model, f, keys, folder));
+      }
   }
   return added;
 }

@@ -25,7 +25,7 @@ Names events_of(const Case& c, bool walltime = false) {
   std::ostringstream out;
   Requests requests;
   const Protocol protocol = protocol_of(c);
-  RestWatch watch(protocol.rest);
+  RestWatch watch(protocol.rest, Rhythm(0.02));
   Checkpoints checkpoints(folder / "");
   std::vector<RestingState> reached;
   RunContext run{.resolved_case = c,
@@ -39,7 +39,7 @@ Names events_of(const Case& c, bool walltime = false) {
                  .watch = watch,
                  .checkpoints = checkpoints};
   if (walltime) run.deadline = std::chrono::steady_clock::now();
-  return names_of(schedule(protocol, {}, watch, reached, onlookers_of(run)));
+  return names_of(schedule(protocol, Rhythm(0.02), {}, watch, reached, onlookers_of(run)));
 }
 
 /// What breaks comes first; what changes the state before what records it; a checkpoint after all of that,

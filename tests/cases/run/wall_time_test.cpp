@@ -19,7 +19,7 @@ bool ends(seconds left, seconds checkpoint) {
   const TemporaryFolder folder;
   std::ostringstream out;
   Requests requests;
-  RestWatch watch(protocol_of(c).rest);
+  RestWatch watch(protocol_of(c).rest, Rhythm(0.02));
   Checkpoints checkpoints(folder / "", "a.checkpoint", static_cast<double>(checkpoint.count()));
   RunContext run{.resolved_case = c,
                  .folder = folder / "",

@@ -24,12 +24,14 @@ large = 40
 start_fraction = 0.2
 [compaction]
 pressure = 1e-3
+drag = 0.0
+time_step = 0.02
 [stop]
 stress_error = 1e-2
 force_imbalance = 1e-2
 kinetic_energy = 1e-8
 strain_drift = 1e-3
-window = 1000
+window = 20
 steps = 100_000
 [output]
 picture = "none"

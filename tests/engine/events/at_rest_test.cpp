@@ -55,9 +55,9 @@ TEST(RestWatch, TheWindowMustBeFull) {
 
 TEST(RestWatch, AWindowIsAsLongAsTheCriteriaSay) {
   RestCriteria criteria;
-  criteria.window = 50;
+  criteria.window = 1;  // 50 steps
   EXPECT_EQ(always({}, criteria).rests_at(), 55);
-  criteria.window = 3;  // fewer steps than looks
+  criteria.window = 0.06;  // fewer steps than looks
   EXPECT_EQ(always({}, criteria).rests_at(), 11);
 }
 
@@ -119,7 +119,7 @@ TEST(RestWatch, EveryStrainIsADrift) {
       return p;
     });
     Observation now(simulation, 3);
-    RestWatch watch({});
+    RestWatch watch({}, story_rhythm);
     for (int n = 0; n < 11; ++n) simulation.advance(1000, nullptr), watch.look(now);
     EXPECT_NEAR(watch.report().strain_drift, 0.1, 0.02);  // 1e-6 a step of an edge of 10
   }
@@ -165,7 +165,7 @@ TEST(RestWatch, LooksOnceAStep) {
 TEST(RestWatch, GoesOnFromAWindowThatWasKept) {
   RestingStory story = always({});
   EXPECT_EQ(story.rests_at(7), -1);
-  RestWatch another({});
+  RestWatch another({}, story_rhythm);
   another.restore(story.watch.saved());
   EXPECT_EQ(another.report().waiting_for, story.watch.report().waiting_for);
   EXPECT_EQ(another.report().strain_drift, story.watch.report().strain_drift);
@@ -198,13 +198,18 @@ TEST(AtRest, EndsTheRunAsJammed) {
   EXPECT_EQ(story.now.step(), 11'000);
 }
 
+std::vector<Barostat> baths_at(const std::vector<double>& pressures) {
+  std::vector<Barostat> baths;
+  for (const double pressure : pressures) baths.push_back({.pressure = pressure});
+  return baths;
+}
+
 /// Two pressures are left; each needs a full window, the last one ends the run.
 TEST(NextPressure, GoesDownTheListAndThenTheRunEnds) {
   RestingStory story = always({});
   std::vector<RestingState> reached;
   Events events;
-  events.push_back(
-      std::make_unique<NextPressure>(story.watch, std::vector<double>{1.0005e-4, 1.0009e-4}, reached));
+  events.push_back(std::make_unique<NextPressure>(story.watch, baths_at({1.0005e-4, 1.0009e-4}), reached));
   events.push_back(std::make_unique<AtRest>(story.watch));
   EXPECT_EQ(compact(story.now, events), Verdict::jammed);
   // The first look at a new pressure is taken at the step at which it is set.
@@ -223,7 +228,7 @@ TEST(NextPressure, WaitsForTheNewStress) {
   RestingStory story = always({});
   std::vector<RestingState> reached;
   Events events;
-  events.push_back(std::make_unique<NextPressure>(story.watch, std::vector<double>{2e-4}, reached));
+  events.push_back(std::make_unique<NextPressure>(story.watch, baths_at({2e-4}), reached));
   events.push_back(std::make_unique<AtRest>(story.watch));
   events.push_back(std::make_unique<Budget>(200'000));
   EXPECT_EQ(compact(story.now, events), Verdict::budget);
@@ -232,7 +237,7 @@ TEST(NextPressure, WaitsForTheNewStress) {
 }
 
 TEST(RestReport, KnowsNothingBeforeTheFirstLook) {
-  const RestReport report = RestWatch({}).report();
+  const RestReport report = RestWatch({}, story_rhythm).report();
   EXPECT_FALSE(report.resting);
   for (double x : {report.stress_error, report.force_imbalance, report.kinetic_energy, report.strain_drift})
     EXPECT_TRUE(std::isinf(x));

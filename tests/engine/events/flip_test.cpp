@@ -230,7 +230,7 @@ TEST(Flip, AShearedRunDoesNotNoticeIt) {
   const auto tilting = make_simulation(sheared_model(), start);
   Observation now(*flipping, 3);
   Events events;
-  events.push_back(std::make_unique<Flip>());
+  events.push_back(std::make_unique<Flip>(100));
   events.push_back(std::make_unique<Budget>(130));
   ASSERT_EQ(compact(now, events), Verdict::budget);
   EXPECT_EQ(static_cast<const Flip&>(*events.front()).count(), 1);
@@ -252,7 +252,7 @@ TEST(Flip, TheEnergyIsContinuous) {
   const auto simulation = make_simulation(sheared_model(), start);
   simulation->advance(100);
   Observation now(*simulation, 3);
-  Flip flip;
+  Flip flip(100);
   ASSERT_TRUE(flip.due(now));
   const double before = energy(now.packing());
   flip.fire(now);
@@ -261,10 +261,10 @@ TEST(Flip, TheEnergyIsContinuous) {
   EXPECT_NEAR(energy(now.packing()), before, rounding * before);
 }
 
-TEST(Flip, LooksEveryHundredSteps) {
-  EXPECT_EQ(Flip().next(0), 100);
-  EXPECT_EQ(Flip().next(100), 200);
-  EXPECT_EQ(Flip().next(199), 200);
+TEST(Flip, LooksOnceAPeriod) {
+  EXPECT_EQ(Flip(100).next(0), 100);
+  EXPECT_EQ(Flip(100).next(100), 200);
+  EXPECT_EQ(Flip(100).next(199), 200);
 }
 
 }  // namespace

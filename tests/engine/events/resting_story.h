@@ -22,6 +22,9 @@ struct Unrest {
 
 inline constexpr double story_pressure = 1e-4;
 
+/// Steps of 0.02 t_c: a window of 200 t_c is 10 000 of them.
+inline const Rhythm story_rhythm(0.02);
+
 /// Five spheres that all touch, each by a contact along every axis, and a rattler: under the pressure
 /// 1e-4, save for what `unrest` says. All numbers that the criteria ask for follow from it directly.
 inline Packing almost_resting(const Unrest& unrest) {
@@ -55,7 +58,7 @@ class RestingStory {
   explicit RestingStory(const Tale& tale, const RestCriteria& criteria = {})
       : simulation([tale](std::int64_t step) { return almost_resting(tale(step)); }),
         now(simulation, 3),
-        watch(criteria) {
+        watch(criteria, story_rhythm) {
     simulation.model().barostat.pressure = story_pressure;
   }
 

@@ -113,7 +113,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> pairs_of(const SlowRun& r
 std::int64_t run_with_flips(Simulation& simulation, std::int64_t end) {
   Observation now(simulation, 3);
   Events events;
-  events.push_back(std::make_unique<Flip>());
+  events.push_back(std::make_unique<Flip>(100));
   events.push_back(std::make_unique<Budget>(end));
   EXPECT_EQ(compact(now, events), Verdict::budget);
   return static_cast<const Flip&>(*events.front()).count();

@@ -8,6 +8,7 @@
 
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
+#include "engine/monitor/stability.h"
 #include "engine/start/mixture.h"
 
 namespace furnas {
@@ -45,13 +46,41 @@ TEST(Protocol, OnlyTheLegacyLawMovesTheCellAsLammpsDoes) {
 // t_c = pi (2 k_n/m_s - gamma_n^2/4)^(-1/2) of two spheres of size d_s, of mass pi/6.
 TEST(Protocol, TheStepIsCountedInCollisionTimes) {
   const double unit = std::numbers::pi / std::sqrt(12 / std::numbers::pi - 0.25 / 4);
-  EXPECT_NEAR(*time_step_of({}), 0.02 * unit, 1e-15);
-  EXPECT_NEAR(*time_step_of({}), 0.032415, 1e-6) << "the step of the study";
-  EXPECT_NEAR(*time_step_of({.time_step = 0.05}), 0.05 * unit, 1e-15);
-  EXPECT_EQ(*time_step_of({.time_step_absolute = 0.03}), 0.03);
-  const Protocol overdamped{.contact = {.normal_damping = 4}};
-  EXPECT_FALSE(time_step_of(overdamped));
-  EXPECT_THROW(model_of(overdamped, dilute_start({.large = 2})), InputError);
+  EXPECT_NEAR(time_step_of({.time_step = 0.02}), 0.032415, 1e-6) << "the step of the study";
+  EXPECT_NEAR(time_step_of({.time_step = 0.05}), 0.05 * unit, 1e-15);
+  EXPECT_EQ(time_step_of({.time_step_absolute = 0.03}), 0.03);
+  // Overdamped spheres do not collide in any time; that of the undamped pair counts instead.
+  EXPECT_NEAR(time_unit_of({.contact = {.normal_damping = 4}}),
+              std::sqrt(std::numbers::pi / 12) * std::numbers::pi, 1e-12);
+}
+
+TEST(Protocol, TheStepIsChosenByFrictionAndTheStiffestPair) {
+  EXPECT_NEAR(time_step_of({}) / time_unit_of({}), 0.0633, 1e-4) << "of a sphere that sticks to eight others";
+  EXPECT_NEAR(time_step_of({.contact = {.tangential_damping = 0.1, .friction = 0.3}}),
+              0.08 * time_unit_of({}), 1e-15);
+  EXPECT_NEAR(time_step_of({.contact = {.friction = 0}}), 0.1 * time_unit_of({}), 1e-15);
+  const Protocol stiff{.contact = {.tangential_stiffness = 10, .friction = 0.3}};
+  EXPECT_NEAR(time_step_of(stiff), largest_stable_step_among(law_of(stiff), equal_pair(1), 8), 1e-15);
+  const Protocol syrup{.contact = {.normal_damping = 50, .friction = 0}};
+  EXPECT_NEAR(time_step_of(syrup), largest_stable_step(law_of(syrup), equal_pair(1)) / 3, 1e-15);
+  // Eight times the mass at twice the size: two large spheres alone swing 8^(1/2) times as slowly.
+  const Protocol undamped{.contact = {.normal_damping = 0, .friction = 0}};
+  const Packing large = dilute_start({.size_ratio = 2, .large = 2});
+  EXPECT_NEAR(model_of(undamped, large).time_step, std::sqrt(8) * time_step_of(undamped), 1e-12)
+      << "by what is there";
+}
+
+// c in units of (p_a V/W)^(1/2): twice the pressure, 2^(1/2) times the drag; V is that of the spheres over
+// 0.64.
+TEST(Protocol, TheDragOfTheCellIsInUnitsOfItsOwnRate) {
+  const Packing packing = dilute_start({.large = 64});
+  const auto baths = baths_of({.pressures = {1e-4, 2e-4}, .cell_damping = 3}, packing);
+  ASSERT_EQ(baths.size(), 2u);
+  const double rate = std::sqrt(1e-4 * packing.sphere_volume() / 0.64 / baths[0].inertia);
+  EXPECT_NEAR(baths[0].drag, 3 * rate, 1e-12 * rate);
+  EXPECT_NEAR(baths[1].drag, std::sqrt(2) * baths[0].drag, 1e-12 * rate);
+  EXPECT_EQ(baths[1].pressure, 2e-4);
+  EXPECT_EQ(baths_of({.cell_damping = 3, .drag = 0.7}, packing).front().drag, 0.7);
 }
 
 }  // namespace

@@ -18,11 +18,13 @@ Packing gas() { return dilute_start({.large = 100, .start_fraction = 0.2, .seed 
 Protocol hasty() {
   Protocol protocol;
   protocol.pressures = {1e-2};
+  protocol.drag = 0;
+  protocol.time_step = 0.02;
   protocol.rest = {.stress_error = 1e-2,
                    .force_imbalance = 1e-2,
                    .kinetic_energy = 1e-8,
                    .strain_drift = 1e-4,
-                   .window = 1000};
+                   .window = 20};
   protocol.steps = 200'000;
   return protocol;
 }
@@ -79,7 +81,7 @@ class EndsAt final : public Event {
 // What a stopped run hands on is all that the next one needs: bits, looks, counts.
 TEST(ProtocolRun, GoesOnAsIfItHadNotBeenStopped) {
   Protocol protocol = hasty();
-  protocol.steps = 12'000;
+  protocol.steps = 9'000;
   ProtocolRun whole(protocol, gas(), 1);
   whole.begin();
   EXPECT_EQ(whole.go().verdict, Verdict::budget);
