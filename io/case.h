@@ -59,6 +59,7 @@ struct Case {
     double force_imbalance = 1e-4;    ///< mean |net force| on the backbone/mean contact force
     double kinetic_energy = 1e-11;    ///< per particle [k_n d_s^2]
     double strain_drift = 1e-6;       ///< largest strain of the cell in 1e5 steps
+    bool minimizer = true;            ///< without friction, ends the compaction by minimizing the enthalpy
     std::int64_t window = 10'000;     ///< steps over which all of these must hold
     std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
     friend bool operator==(const Stop&, const Stop&) = default;

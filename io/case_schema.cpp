@@ -128,6 +128,10 @@ std::vector<Key> stop() {
             [](Case& c) -> Field { return &c.stop.kinetic_energy; }),
       plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 1e5 steps",
             [](Case& c) -> Field { return &c.stop.strain_drift; }),
+      plain("stop", "minimizer", "", std::monostate{},
+            "without friction, let a minimizer of the enthalpy balance the forces at the end; false: steps "
+            "alone",
+            [](Case& c) -> Field { return &c.stop.minimizer; }),
       plain("stop", "window", "steps", from_to(1, 1e9),
             "stretch over which the conditions must hold without a break",
             [](Case& c) -> Field { return &c.stop.window; }),
