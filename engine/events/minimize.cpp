@@ -1,5 +1,7 @@
 #include "engine/events/minimize.h"
 
+#include <algorithm>
+
 #include "engine/base/numbers.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
@@ -19,6 +21,11 @@ bool has_found_its_basin(const RestReport& r, const Measures& m) {
 bool is_balanced(const RestReport& r, const RestCriteria& c) {
   return r.kinetic_energy < c.kinetic_energy && r.stress_error < c.stress_error &&
          r.force_imbalance < c.force_imbalance;
+}
+
+/// Evaluations that take a second or two of one core, within bounds.
+std::int64_t evaluations_for(std::size_t particles) {
+  return std::clamp<std::int64_t>(20'000'000 / static_cast<std::int64_t>(particles), 1000, 10'000);
 }
 
 }  // namespace
@@ -43,7 +50,6 @@ bool Minimize::due(Observation& now) {
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
-  constexpr std::int64_t in_a_call = 1000;  // evaluations, between which the run may be stopped
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();
   const auto enthalpy_and_motion = [&] {
@@ -53,7 +59,7 @@ std::optional<Verdict> Minimize::fire(Observation& now) {
   MinimumReport report;
   Workers(now.simulation().threads()).run([&] {
     Enthalpy enthalpy(p, model.law, model.barostat);
-    report = find_minimum(enthalpy, in_a_call);
+    report = find_minimum(enthalpy, in_a_call_ > 0 ? in_a_call_ : evaluations_for(p.size()));
     enthalpy.put_into(p);
   });
   p.ledger.quenched += before - enthalpy_and_motion();

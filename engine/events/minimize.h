@@ -15,7 +15,10 @@ namespace furnas {
 /// cell. The verdict is left to the steps that follow: all criteria must hold over a window of them.
 class Minimize final : public Event {
  public:
-  explicit Minimize(RestWatch& watch) : watch_(watch) {}
+  /// `evaluations` at most in one call, between which a run may be saved and stopped; 0: a second or two of
+  /// them, but for large packings enough to be worth the beginning.
+  explicit Minimize(RestWatch& watch, std::int64_t evaluations = 0)
+      : watch_(watch), in_a_call_(evaluations) {}
   const char* name() const override { return "minimize"; }
   std::int64_t next(std::int64_t step) const override;
   bool due(Observation& now) override;
@@ -29,6 +32,7 @@ class Minimize final : public Event {
 
  private:
   RestWatch& watch_;
+  std::int64_t in_a_call_;
   std::int64_t evaluations_ = 0;
   bool searching_ = false;
   double pressure_ = 0;     ///< of the bath when last asked; the following are since it is so [k_n/d_s]

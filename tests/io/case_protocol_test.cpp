@@ -35,6 +35,7 @@ TEST(CaseProtocol, HasTheDefaultsOfTheEngine) {
   EXPECT_EQ(of_case.rest.kinetic_energy, own.rest.kinetic_energy);
   EXPECT_EQ(of_case.rest.strain_drift, own.rest.strain_drift);
   EXPECT_EQ(of_case.rest.window, own.rest.window);
+  EXPECT_EQ(of_case.minimizer, own.minimizer);
   EXPECT_EQ(mixture_of({}).start_fraction, Mixture{}.start_fraction);
   EXPECT_EQ(mixture_of({}).large, Mixture{}.large);
 }
@@ -61,6 +62,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
             .force_imbalance = 2,
             .kinetic_energy = 3,
             .strain_drift = 4,
+            .minimizer = false,
             .window = 5,
             .steps = 6};
   c.compute = {.precision = "double", .threads = 7, .skin = 0.8};
@@ -86,6 +88,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
   EXPECT_EQ(p.rest.kinetic_energy, 3);
   EXPECT_EQ(p.rest.strain_drift, 4);
   EXPECT_EQ(p.rest.window, 5);
+  EXPECT_FALSE(p.minimizer);
   EXPECT_EQ(p.steps, 6);
   EXPECT_EQ(p.precision, Precision::full);
   EXPECT_EQ(p.skin, 0.8);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "engine/certificate/certify.h"
-#include "engine/events/limits.h"
 #include "engine/protocol/run.h"
 #include "engine/start/mixture.h"
 #include "engine/state/fingerprint.h"
@@ -71,7 +70,7 @@ Packing spheres(std::int64_t count) {
   return dilute_start({.large = count, .start_fraction = 0.2, .seed = 3});
 }
 
-/// What a run comes to, in two parts if it is stopped in the middle of a search.
+/// What a run comes to.
 struct Ending {
   Verdict verdict;
   std::uint64_t hash;
@@ -95,17 +94,8 @@ Ending jam_of(const Protocol& protocol, const Packing& start, int threads) {
   return ending_of(run, outcome);
 }
 
-/// Ends the run once the minimizer has begun.
-class StopsInASearch final : public Event {
- public:
-  const char* name() const override { return "stops in a search"; }
-  std::int64_t next(std::int64_t step) const override { return step + 1; }
-  bool due(Observation& now) override { return now.packing().ledger.quenched > 0; }
-  std::optional<Verdict> fire(Observation&) override { return Verdict::interrupted; }
-};
-
 // 300 spheres come to rest: forces balance far better than the verdict asks, the energy balances, the packing
-// passes every part of the certificate, and neither threads nor an interruption leave a trace.
+// passes every part of the certificate, and two threads leave the same bits.
 TEST(Minimize, BringsSpheresWithoutFrictionToRest) {
   const Protocol protocol = frictionless();
   const Ending end = jam_of(protocol, spheres(300), 1);
@@ -120,21 +110,6 @@ TEST(Minimize, BringsSpheresWithoutFrictionToRest) {
   const Ending other = jam_of(protocol, spheres(300), 2);
   EXPECT_EQ(other.hash, end.hash);
   EXPECT_EQ(other.evaluations, end.evaluations);
-
-  ProtocolRun first(protocol, spheres(300), 1);
-  Onlookers onlookers;
-  onlookers.limits.push_back(std::make_unique<StopsInASearch>());
-  first.begin(std::move(onlookers));
-  ASSERT_EQ(first.go().verdict, Verdict::interrupted);
-  EXPECT_LT(first.evaluations(), end.evaluations) << "the search has another call";
-  const RunState state = first.state();
-  ProtocolRun second(protocol, first.take_packing(), 1, state);
-  second.begin();
-  const Outcome outcome = second.go();
-  const Ending resumed = ending_of(second, outcome);
-  EXPECT_EQ(resumed.hash, end.hash);
-  EXPECT_EQ(resumed.step, end.step);
-  EXPECT_EQ(resumed.evaluations, end.evaluations);
 }
 
 // The energy that goes is booked to the last digit: what the balance misses does not change.
@@ -157,6 +132,53 @@ TEST(Minimize, KeepsTheBalanceOfTheEnergy) {
   EXPECT_EQ(after.energy.kinetic, 0);
   EXPECT_GT(after.ledger.quenched, before.ledger.quenched);
   EXPECT_EQ(now.simulation().cell().rate, Triangle{});
+}
+
+/// A run of nothing but a minimizer with calls of 200 evaluations, from a packing on.
+struct Search {
+  std::unique_ptr<Simulation> simulation;
+  Observation now;
+  RestWatch watch;
+  Minimize minimize;
+
+  Search(const Protocol& protocol, const Packing& from, const std::string& saved)
+      : simulation(make_simulation(model_of(protocol, from), from)),
+        now(*simulation, backbone_threshold(law_of(protocol))),
+        watch(protocol.rest),
+        minimize(watch, 200) {
+    minimize.restore(saved);
+  }
+
+  /// Goes on until the search ends, or has had so many calls.
+  void go(int calls) {
+    while (calls > 0) {
+      simulation->advance(minimize.next(now.step()) - now.step());
+      if (!minimize.due(now)) continue;
+      minimize.fire(now);
+      --calls;
+      if (minimize.next(now.step()) > now.step() + 1) return;
+    }
+  }
+};
+
+// A search goes on as if it had not been stopped between two of its calls.
+TEST(Minimize, GoesOnInTheMiddleOfASearch) {
+  Protocol protocol = frictionless();
+  protocol.minimizer = false;
+  protocol.steps = 20'000;
+  const Packing start = jam(spheres(300), protocol, 1).packing;
+  Search whole(protocol, start, "");
+  whole.go(1000);
+  ASSERT_GT(whole.minimize.evaluations(), 600) << "several calls";
+  for (int calls : {1, 2}) {
+    Search first(protocol, start, "");
+    first.go(calls);
+    EXPECT_EQ(first.minimize.evaluations(), 200 * calls);
+    Search second(protocol, first.now.packing(), first.minimize.saved());
+    second.go(1000);
+    EXPECT_EQ(second.minimize.saved(), whole.minimize.saved());
+    EXPECT_EQ(state_hash(second.now.packing()), state_hash(whole.now.packing()));
+  }
 }
 
 TEST(NightlyMinimize, BringsTenThousandSpheresToRest) {
