@@ -53,6 +53,7 @@ Protocol protocol_of(const Case& c) {
           .time_step = c.compaction.time_step,
           .time_step_absolute = c.compaction.time_step_absolute,
           .rest = rest_of(c.stop),
+          .minimizer = c.stop.minimizer,
           .steps = c.stop.steps,
           .precision = c.compute.precision == "mixed" ? Precision::mixed : Precision::full,
           .skin = c.compute.skin};

@@ -161,6 +161,10 @@ std::vector<Key> stop() {
             "but not while that energy grows by more than this factor in half a window: an unstable packing "
             "is let go",
             [](Case& c) -> Field { return &c.stop.growth; }),
+      plain("stop", "minimizer", "", std::monostate{},
+            "without friction, let a minimizer of the enthalpy balance the forces at the end; false: steps "
+            "alone",
+            [](Case& c) -> Field { return &c.stop.minimizer; }),
       plain("stop", "steps", "steps", from_to(0, many_steps),
             "cap on the length of the run; a run that ends by it is not called jammed",
             [](Case& c) -> Field { return &c.stop.steps; }),

@@ -109,6 +109,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"backbone_threshold", m.backbone_threshold},
       {"rattlers", rattlers(r)},
       {"quenches", r.quenches},
+      {"minimizer_evaluations", r.evaluations},
       {"energy", energy(m)},
       {"sliding_share", m.sliding_share},
       {"largest_overlap", m.largest_overlap},

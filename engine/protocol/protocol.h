@@ -29,6 +29,7 @@ struct Protocol {
   std::optional<double> time_step_absolute{};  ///< instead of `time_step` [time]
 
   RestCriteria rest{};              ///< when the packing counts as jammed
+  bool minimizer = true;            ///< without friction, balances the forces once the packing has its basin
   std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
 
   Precision precision = Precision::mixed;

@@ -4,6 +4,7 @@
 
 #include "engine/base/require.h"
 #include "engine/events/flip.h"
+#include "engine/events/minimize.h"
 #include "engine/events/quench.h"
 #include "engine/monitor/faults.h"
 
@@ -15,10 +16,16 @@ Rhythm rhythm_of(const Protocol& protocol, const Packing& start) {
 }
 
 template <class E>
-std::int64_t count_of(const Events& events) {
+const E* find(const Events& events) {
   for (const auto& event : events)
-    if (const auto* found = dynamic_cast<const E*>(event.get())) return found->count();
-  return 0;
+    if (const auto* found = dynamic_cast<const E*>(event.get())) return found;
+  return nullptr;
+}
+
+template <class E>
+std::int64_t count_of(const Events& events) {
+  const E* const event = find<E>(events);
+  return event ? event->count() : 0;
 }
 
 }  // namespace
@@ -87,6 +94,10 @@ std::int64_t ProtocolRun::lists_built() const {
 }
 
 std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_); }
+std::int64_t ProtocolRun::evaluations() const {
+  const auto* const event = find<Minimize>(events_);
+  return event ? event->evaluations() : 0;
+}
 std::int64_t ProtocolRun::flips() const { return count_of<Flip>(events_); }
 
 Packing ProtocolRun::take_packing() {

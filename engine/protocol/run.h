@@ -58,6 +58,7 @@ class ProtocolRun {
   const std::vector<RestingState>& reached() const { return reached_; }
   std::int64_t lists_built() const;  ///< neighbour lists since the run began
   std::int64_t quenches() const;     ///< times all motion was taken out
+  std::int64_t evaluations() const;  ///< times the minimizer computed all forces
   std::int64_t flips() const;        ///< times the cell was flipped
 
   /// The packing; the run is over, and its memory free.

@@ -6,6 +6,7 @@
 
 #include "engine/events/flip.h"
 #include "engine/events/limits.h"
+#include "engine/events/minimize.h"
 #include "engine/events/monitor.h"
 #include "engine/events/quench.h"
 #include "engine/events/renew_order.h"
@@ -17,6 +18,7 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   constexpr double order_time = 200, flip_time = 2;  // [t_c]
   const bool can_rest = protocol.cell != CellFreedom::fixed;
   const bool quenches = can_rest && !protocol.rest.kinetic_energy_alone;
+  const bool minimizes = quenches && protocol.minimizer && protocol.contact.friction == 0;
 
   Events events;
   const auto add = [&](std::unique_ptr<Event> event) { events.push_back(std::move(event)); };
@@ -28,6 +30,7 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   add_all(onlookers.before_verdict);
   if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later), reached));
   if (can_rest) add(std::make_unique<AtRest>(watch));
+  if (minimizes) add(std::make_unique<Minimize>(watch));
   if (quenches) add(std::make_unique<Quench>(watch));
   add_all(onlookers.after_verdict);
   add(std::make_unique<Budget>(protocol.steps));

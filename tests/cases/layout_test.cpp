@@ -24,6 +24,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"engine/model", {"engine/base", "engine/state", "engine/laws"}},
     {"engine/search", {"engine/base", "engine/state"}},
     {"engine/kernels", {"engine/base", "engine/state", "engine/laws"}},
+    {"engine/minimize", {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search"}},
     // It judges what the others made, so it knows none of them; it asks a law for its stiffness.
     {"engine/certificate", {"engine/base", "engine/state", "engine/laws"}},
     {"engine/start", {"engine/base", "engine/state", "engine/search"}},
@@ -44,8 +45,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
      {"engine/base", "engine/state", "engine/model", "engine/monitor", "engine/simulation"}},
     // An event knows the loop that fires it; the loop knows no event.
     {"engine/events",
-     {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search", "engine/monitor",
-      "engine/phases", "engine/simulation", "engine/compaction"}},
+     {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search", "engine/minimize",
+      "engine/monitor", "engine/phases", "engine/simulation", "engine/compaction"}},
     // What a run is; the program adds files, console and signals.
     {"engine/protocol",
      {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/monitor", "engine/simulation",

@@ -195,7 +195,7 @@ TEST(CaseFile, ResolvedCaseReadsBackTheSame) {
                   .time_step = {},
                   .time_step_absolute = 0.03,
                   .mass_exponent = 2.5};
-  c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 10, 1e3, 2, 0};
+  c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 10, 1e3, 2, false, 0};
   c.compute = {"double", 3, 0.25};
   c.output = {10, 20, 0.5, "none", 512, "transparent"};
   EXPECT_EQ(parse_case(resolved_toml(c), "resolved.toml"), c);

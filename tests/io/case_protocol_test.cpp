@@ -35,6 +35,7 @@ TEST(CaseProtocol, HasTheDefaultsOfTheEngine) {
   EXPECT_EQ(of_case.rest.kinetic_energy, own.rest.kinetic_energy);
   EXPECT_EQ(of_case.rest.strain_drift, own.rest.strain_drift);
   EXPECT_EQ(of_case.rest.window, own.rest.window);
+  EXPECT_EQ(of_case.minimizer, own.minimizer);
   EXPECT_EQ(mixture_of({}).start_fraction, Mixture{}.start_fraction);
   EXPECT_EQ(mixture_of({}).large, Mixture{}.large);
 }
@@ -66,6 +67,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
             .stilling = 8,
             .stilling_energy = 9,
             .growth = 10,
+            .minimizer = false,
             .steps = 6};
   c.compute = {.precision = "double", .threads = 7, .skin = 0.8};
   const Protocol p = protocol_of(c);
@@ -94,6 +96,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
   EXPECT_EQ(p.rest.stilling, 8);
   EXPECT_EQ(p.rest.stilling_energy, 9);
   EXPECT_EQ(p.rest.growth, 10);
+  EXPECT_FALSE(p.minimizer);
   EXPECT_EQ(p.steps, 6);
   EXPECT_EQ(p.precision, Precision::full);
   EXPECT_EQ(p.skin, 0.8);

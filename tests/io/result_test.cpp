@@ -36,6 +36,7 @@ Result example(Verdict verdict) {
   r.rest.strain_drift = 7e-7;
   r.rest.stress_error = 2e-4;
   r.reached = {{2e-4, 0.57, 1000}, {1e-4, 0.58, 2000}};
+  r.evaluations = 4321;
   r.state_hash = 0x0123456789abcdef;
   r.large = 200;
   r.small = 800;
@@ -73,6 +74,7 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["state_hash"], "0123456789abcdef");
   EXPECT_EQ(json["strain_drift_in_2000_t_c"], 7e-7);
   EXPECT_EQ(json["stress_error"], 2e-4);
+  EXPECT_EQ(json["minimizer_evaluations"], 4321);
   EXPECT_EQ(json["force_imbalance"], 3e-5);
   EXPECT_EQ(json["stress"],
             (Json{{"xx", 1e-4}, {"yy", 2e-4}, {"zz", 3e-4}, {"xy", 4e-6}, {"xz", 5e-6}, {"yz", 6e-6}}));

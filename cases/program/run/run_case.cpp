@@ -153,6 +153,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.reason =
       outcome.fault.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_) : outcome.fault;
   result.quenches = run_->quenches();
+  result.evaluations = run_->evaluations();
   result.flips = run_->flips();
   result.state_hash = state_hash(now.packing());
   for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);

@@ -1,0 +1,85 @@
+#include "engine/events/minimize.h"
+
+#include <algorithm>
+
+#include "engine/base/numbers.h"
+#include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "engine/minimize/find_minimum.h"
+#include "engine/monitor/energy.h"
+
+namespace furnas {
+namespace {
+
+/// Whether the packing stands by its contacts, near the bath's stress, and hardly moves.
+bool has_found_its_basin(const RestReport& r, const Measures& m) {
+  constexpr double stress_error = 0.05;
+  constexpr double motion = 0.05;  // kinetic energy over that of the contacts
+  return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal;
+}
+
+bool is_balanced(const RestReport& r, const RestCriteria& c) {
+  return r.kinetic_energy < c.kinetic_energy && r.stress_error < c.stress_error &&
+         r.force_imbalance < c.force_imbalance;
+}
+
+/// Evaluations that take a second or two of one core, within bounds.
+std::int64_t evaluations_for(std::size_t particles) {
+  return std::clamp<std::int64_t>(20'000'000 / static_cast<std::int64_t>(particles), 1000, 10'000);
+}
+
+}  // namespace
+
+std::int64_t Minimize::next(std::int64_t step) const {
+  return searching_ ? step + 1 : next_multiple(step, watch_.period());
+}
+
+bool Minimize::due(Observation& now) {
+  constexpr std::int64_t most = 1'000'000;  // evaluations at a pressure; where these do not help, none do
+  if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
+    pressure_ = pressure;
+    spent_ = 0;
+    last_ = -1;
+    searching_ = false;
+  }
+  if (spent_ >= most) return searching_ = false;
+  if (searching_) return true;
+  const RestReport& r = watch_.look(now);
+  const bool again = last_ < 0 || now.step() >= last_ + watch_.window_length();
+  return again && has_found_its_basin(r, now.measures()) && !is_balanced(r, watch_.criteria());
+}
+
+std::optional<Verdict> Minimize::fire(Observation& now) {
+  const Model& model = now.simulation().model();
+  Packing p = now.take_packing();
+  const auto enthalpy_and_motion = [&] {
+    return energy(p, model.law).total() + model.barostat.pressure * p.cell.volume();
+  };
+  const double before = enthalpy_and_motion(), volume = p.cell.volume();
+  MinimumReport report;
+  Workers(now.simulation().threads()).run([&] {
+    Enthalpy enthalpy(p, model.law, model.barostat);
+    report = find_minimum(enthalpy, in_a_call_ > 0 ? in_a_call_ : evaluations_for(p.size()));
+    enthalpy.put_into(p);
+  });
+  p.ledger.quenched += before - enthalpy_and_motion();
+  p.ledger.cell_work += model.barostat.pressure * (volume - p.cell.volume());
+  now.replace(p);
+  evaluations_ += report.evaluations;
+  spent_ += report.evaluations;
+  searching_ = !report.reached && !report.stuck;
+  last_ = now.step();
+  return {};
+}
+
+std::string Minimize::saved() { return exact_text(evaluations_, int{searching_}, pressure_, spent_, last_); }
+
+void Minimize::restore(const std::string& saved) {
+  if (saved.empty()) return;
+  const bool read = Numbers(saved).take_all(evaluations_, searching_, pressure_, spent_, last_);
+  if (!read || evaluations_ < 0 || !(pressure_ >= 0) || spent_ < 0 || last_ < -1)
+    throw InputError("a run remembers \"" + saved +
+                     "\" where it must remember how far a search for a minimum is");
+}
+
+}  // namespace furnas
