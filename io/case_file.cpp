@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "engine/base/require.h"
@@ -14,6 +12,7 @@
 #include "io/case_table.h"
 #include "io/case_value.h"
 #include "io/case_words.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -118,18 +117,19 @@ void read_keys(const toml::table& root, const std::string& name, Case& c, Places
 }
 
 /// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
-/// number wrong. So what seems wrong is read once more.
-toml::table parse_toml(std::string_view text, std::string_view name) {
+/// number wrong. So what seems wrong is read once more. It is not told the name of the file, which it would
+/// copy where it may not throw.
+toml::table parse_toml(std::string_view text) {
   try {
-    return toml::parse(text, name);
+    return toml::parse(text);
   } catch (const toml::parse_error&) {
-    return toml::parse(text, name);
+    return toml::parse(text);
   }
 }
 
 toml::table parse_text(std::string_view text, const std::string& name) {
   try {
-    return parse_toml(text, name);
+    return parse_toml(text);
   } catch (const toml::parse_error& error) {
     throw InputError(explain_syntax(text, name, error.source().begin.line, error.description()));
   }
@@ -171,7 +171,7 @@ toml::table parse_value(const Key& key, const std::string& text) {
   const bool literal = std::holds_alternative<std::string*>(key.field(any)) && !quoted;
   if (!literal) {
     try {
-      toml::table table = parse_toml("value = " + text, {});
+      toml::table table = parse_toml("value = " + text);
       if (table.size() == 1) return table;
     } catch (const toml::parse_error&) {
       // Not TOML: a bare word, or a mistake that is reported with what is allowed.
@@ -212,11 +212,8 @@ Case parse_case(std::string_view toml, const std::string& name, std::span<const 
 toml::table read_table(const std::filesystem::path& file) {
   const std::string name = file.string();
   if (std::filesystem::is_directory(file)) throw InputError(name + ": is a directory; allowed: a case file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(name + (std::filesystem::exists(file) ? ": cannot be read" : ": there is no such file"));
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return parse_text(text, name);
+  if (!std::filesystem::exists(file)) throw InputError(name + ": there is no such file");
+  return parse_text(read_file(file), name);
 }
 
 Case case_in(const toml::table& root, const std::filesystem::path& file,

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 #include "engine/base/require.h"
 #include "io/particle_rows.h"
 #include "io/section_file.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -183,8 +183,9 @@ void check(const Packing& p, const std::filesystem::path& path) {
 }  // namespace
 
 bool is_checkpoint(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
   std::string head(checkpoint_magic.size(), '\0');
-  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  open_file(path).read(head.data(), static_cast<std::streamsize>(head.size()));
   return head == checkpoint_magic;
 }
 

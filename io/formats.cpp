@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 #include "engine/base/require.h"
 #include "io/checkpoint.h"
@@ -44,7 +43,7 @@ constexpr std::array<Format, 6> all{{
 std::string head_of(const std::filesystem::path& path) {
   constexpr std::uint64_t most = 4096;
   std::string head(static_cast<std::size_t>(std::min(readable_size(path), most)), '\0');
-  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  open_file(path).read(head.data(), static_cast<std::streamsize>(head.size()));
   return head;
 }
 

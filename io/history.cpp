@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "io/csv.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -79,7 +79,7 @@ void History::add(const Measures& m) {
 
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
                                               const std::vector<std::string>& wanted) {
-  std::ifstream file(path);
+  std::ifstream file = open_file(path);
   std::vector<std::string> cells;
   if (!read_csv_row(file, cells)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
   std::vector<std::size_t> places;

@@ -3,7 +3,6 @@
 #include <dirent.h>
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 
 #include "engine/base/hasher.h"
 #include "io/atomic_file.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ void write_manifest(const fs::path& folder, const std::string& program) {
   std::vector<char> block(std::size_t{1} << 20);  // not a file at once: it may be larger than the memory
   each_file(folder, [&](const fs::path& path) {
     if (path.filename() == name || path.extension() == ".lock") return;
-    std::ifstream in(path, std::ios::binary);
+    std::ifstream in = open_file(path);
     std::uint64_t bytes = 0;
     Hasher hasher;
     while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {

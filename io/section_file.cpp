@@ -104,8 +104,8 @@ void SectionWriter::commit() {
 }
 
 SectionReader::SectionReader(const std::filesystem::path& path, const SectionFormat& format)
-    : name_(path.string()), stream_(path, std::ios::binary) {
-  const std::uint64_t size = readable_size(path);
+    : name_(path.string()), remaining_(readable_size(path)), stream_(open_file(path)) {
+  const std::uint64_t size = remaining_;
   const auto refuse = [&](std::string_view what) { throw InputError(fmt::format("{}: {}", name_, what)); };
   std::array<char, head_size> head{};
   std::array<char, trailer_size> tail{};

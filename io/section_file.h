@@ -111,10 +111,10 @@ class SectionReader {
   void get(void* bytes, std::size_t size);
 
   std::string name_;
+  std::uint64_t remaining_;  ///< bytes before the trailer
   std::ifstream stream_;
   Hasher section_hash_, file_hash_;
   std::string section_;
-  std::uint64_t remaining_ = 0;      ///< bytes before the trailer
   std::uint64_t sections_ = 0;       ///< sections read so far
   std::size_t element_size_ = 0;     ///< of the current section
   std::uint64_t elements_left_ = 0;  ///< of the current section

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <new>
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
@@ -37,10 +40,26 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   return size;
 }
 
-TextReader::TextReader(const std::filesystem::path& path)
-    : name_(path.string()), size_(readable_size(path)), stream_(path, std::ios::binary) {
-  if (!stream_) throw InputError(name_ + ": cannot be opened for reading");
+std::ifstream open_file(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream) return stream;
+  if (errno == ENOMEM) throw std::bad_alloc();
+  throw InputError(path.string() + ": cannot be opened for reading");
 }
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream stream = open_file(path);
+  std::string text;
+  std::array<char, 1 << 14> block{};
+  while (stream.read(block.data(), block.size()), stream.gcount() > 0)
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) throw InputError(path.string() + ": cannot be read to its end");
+  return text;
+}
+
+TextReader::TextReader(const std::filesystem::path& path)
+    : name_(path.string()), size_(readable_size(path)), stream_(open_file(path)) {}
 
 bool TextReader::next_line() {
   if (!std::getline(stream_, line_)) {

@@ -12,6 +12,13 @@ namespace furnas {
 /// Throws InputError unless `path` is a file that can be read; returns its size in bytes.
 std::uint64_t readable_size(const std::filesystem::path& path);
 
+/// Opens a file. Throws InputError if it cannot be, and std::bad_alloc if only the memory for it is missing:
+/// a stream by itself would then look like that of an empty file.
+std::ifstream open_file(const std::filesystem::path& path);
+
+/// All that a file holds; throws as open_file, and InputError if it cannot be read to its end.
+std::string read_file(const std::filesystem::path& path);
+
 /// A text file, line by line, and the numbers in its lines. Each failure names file and line.
 class TextReader {
  public:

@@ -47,8 +47,7 @@ constexpr NumberType number_types[] = {
 }  // namespace
 
 VtpReader::VtpReader(const std::filesystem::path& path)
-    : name_(path.string()), size_(readable_size(path)), stream_(path, std::ios::binary) {
-  if (!stream_) fail("cannot be opened for reading");
+    : name_(path.string()), size_(readable_size(path)), stream_(open_file(path)) {
   read_head();
 }
 

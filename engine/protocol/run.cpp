@@ -88,6 +88,13 @@ RunState ProtocolRun::state() const {
   return state;
 }
 
+std::vector<RestingState> ProtocolRun::reached(Verdict verdict) {
+  std::vector<RestingState> all = reached_;
+  if (verdict == Verdict::jammed)
+    all.push_back({simulation_->model().barostat.pressure, now_.measures().phi, now_.step()});
+  return all;
+}
+
 std::int64_t ProtocolRun::lists_built() const {
   // The list with which a run goes on is none that it would have built.
   return past_.lists_built + simulation_->neighbours().builds - (goes_on_ ? 1 : 0);
@@ -117,9 +124,7 @@ Jam jam(const Packing& start, const Protocol& protocol, int threads) {
   run.begin();
   Outcome outcome = run.go();
   Jam end{outcome.verdict,      std::move(outcome.fault), {},
-          run.now().measures(), run.watch().report(),     run.reached()};
-  if (end.verdict == Verdict::jammed)
-    end.reached.push_back({run.simulation().model().barostat.pressure, end.measures.phi, run.now().step()});
+          run.now().measures(), run.watch().report(),     run.reached(outcome.verdict)};
   end.packing = run.take_packing();
   return end;
 }

@@ -55,7 +55,8 @@ class ProtocolRun {
   const Simulation& simulation() const { return *simulation_; }
   const Protocol& protocol() const { return protocol_; }
   RestWatch& watch() { return watch_; }
-  const std::vector<RestingState>& reached() const { return reached_; }
+  /// The pressures at which the packing came to rest; after a verdict of jammed, the one it stands at, too.
+  std::vector<RestingState> reached(Verdict verdict);
   std::int64_t lists_built() const;  ///< neighbour lists since the run began
   std::int64_t quenches() const;     ///< times all motion was taken out
   std::int64_t evaluations() const;  ///< times the minimizer computed all forces
@@ -73,7 +74,7 @@ class ProtocolRun {
   std::unique_ptr<Simulation> simulation_;
   Observation now_;
   RestWatch watch_;
-  std::vector<RestingState> reached_;
+  std::vector<RestingState> reached_;  ///< before the pressure it stands at
   RunState past_;
   bool goes_on_ = false;  ///< from where another run had come
   Events events_;

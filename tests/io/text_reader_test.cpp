@@ -8,6 +8,20 @@
 namespace furnas {
 namespace {
 
+TEST(ReadFile, HasEveryByteOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  std::string text("a\r\n\0b", 5);
+  text.resize(100'000, 'c');  // several blocks
+  write_file(folder / "a", text);
+  EXPECT_EQ(read_file(folder / "a"), text);
+  write_file(folder / "a", "");
+  EXPECT_EQ(read_file(folder / "a"), "");
+  EXPECT_NE(input_error([&] { read_file(folder / "none"); }).find("none: cannot be opened for reading"),
+            std::string::npos);
+  EXPECT_NE(input_error([&] { read_file((folder / "a").parent_path()); }).find("cannot be read to its end"),
+            std::string::npos);
+}
+
 TEST(TextReader, GoesThroughLinesAndWords) {
   const TemporaryFolder folder;
   write_file(folder / "a", "\xEF\xBB\xBFone two\r\n\n\t three  four # five\nlast");

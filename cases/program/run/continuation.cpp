@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "cases/program/build_info.h"
@@ -14,6 +12,7 @@
 #include "io/case_file.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -122,8 +121,7 @@ Case case_to_go_on_with(const std::filesystem::path& folder, const Checkpoint& c
   const Case saved = parse_case(checkpoint.case_text, folder.string() + " (checkpoint)");
   Case c = saved;
   if (const auto file = folder / "case.resolved.toml"; std::filesystem::exists(file)) {
-    std::ifstream in(file, std::ios::binary);
-    c = parse_case(std::string(std::istreambuf_iterator<char>(in), {}), file.string());
+    c = parse_case(read_file(file), file.string());
     refuse_another_case(saved, c, file.string());
   }
   for (const std::string& assignment : set) apply_override(c, assignment);

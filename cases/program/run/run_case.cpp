@@ -166,9 +166,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.threads = run_->simulation().threads();
   result.steps_here = now.step();
   result.wall_seconds = wall_seconds();
-  result.reached = run_->reached();
-  if (outcome.verdict == Verdict::jammed)
-    result.reached.push_back({result.pressure, result.measures.phi, now.step()});
+  result.reached = run_->reached(outcome.verdict);
   return result;
 }
 
