@@ -184,6 +184,10 @@ Part growth_part(const SmallMotion& motion, const Growth& growth, const Backbone
   part.asks =
       "Does every small motion die out, with inertia and damping, when F_t of a contact that slides follows "
       "F_n?";
+  if (!growth.asked) {
+    part.note = "Not asked: too many unknowns to factor.";
+    return part;
+  }
   part.findings = {at_least("equations of motion solved", growth.valid ? 1 : 0, 1),
                    at_most("rate of a motion that grows as its contacts go [1/time]",
                            growth.certain ? growth.certain->rate() : 0, 0),

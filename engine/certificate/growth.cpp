@@ -40,6 +40,7 @@ class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
 
   Factor(const SmallMotion& motion, Number lambda) : matrix_(at(motion, lambda)) {
     this->umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // the pattern is
+    this->umfpackControl()[UMFPACK_IRSTEP] = 0;  // what is found is refined as a whole
     this->compute(matrix_);
   }
   bool valid() const { return this->info() == Eigen::Success; }
@@ -67,8 +68,10 @@ class Shifted {
   bool valid() const { return factor_.valid(); }
   VectorXd operator()(const VectorXd& x) const {
     const Index n = motion_.unknowns();
-    const VectorXd a = x.head(n).cwiseQuotient(root_);
-    const VectorXd b = sigma_ * x.tail(n).cwiseQuotient(root_);
+    VectorXd a = x.head(n).cwiseQuotient(root_);
+    VectorXd b = sigma_ * x.tail(n).cwiseQuotient(root_);
+    motion_.hold_centre(a);
+    motion_.hold_centre(b);
     VectorXd z = -factor_.solve(motion_.inertia().cwiseProduct(b + sigma_ * a) + motion_.damping() * a);
     motion_.hold_centre(z);
     VectorXd out(2 * n);
@@ -193,8 +196,13 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
              motion.damping().transpose() * v;
     };
     for (int twice = 0; twice < 2; ++twice) {
-      right = factor.solve(slope(right)).normalized();
-      left = factor.solve_adjoint(slope_adjoint(left)).normalized();
+      right = factor.solve(slope(right));
+      left = factor.solve_adjoint(slope_adjoint(left));
+      // A motion of the whole is an eigenvector of 0, and no other lambda has a part of it in either.
+      motion.hold_centre(right);
+      motion.hold_centre(left);
+      right.normalize();
+      left.normalize();
     }
     const Number before = lambda;
     const Vector k = motion.stiffness() * right;
@@ -204,7 +212,7 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
       lambda -=
           left.dot(Vector(lambda * lambda * m + lambda * c + k)) / left.dot(Vector(2.0 * lambda * m + c));
     mode.residual = (lambda * lambda * m + lambda * c + k).norm();
-    if (std::abs(lambda - before) > 1e-9 * std::abs(lambda) && round + 1 < most) continue;
+    if (std::abs(lambda - before) > 1e-9 * std::abs(lambda)) continue;
     mode.lambda = lambda;
     mode.motion = right.template cast<Complex>();
     const double flat = flat_mode;  // what rounding may have made of a stiffness of 0
@@ -245,6 +253,8 @@ const GrowingMode* Growth::fastest() const {
 
 Growth find_growth(const SmallMotion& motion) {
   Growth growth;
+  growth.asked = motion.unknowns() <= most_unknowns;
+  if (!growth.asked) return growth;
   std::vector<Ritz> found;
   constexpr Index few = 60;
   if (motion.unknowns() <= few) {

@@ -21,8 +21,12 @@ struct GrowingMode {
   bool grows() const { return rate() > doubt; }
 };
 
+/// With more unknowns the factors would take more than some minutes: nothing is looked for.
+inline constexpr Eigen::Index most_unknowns = 50'000;
+
 /// What was found of the motions that grow.
 struct Growth {
+  bool asked{};                    ///< there were not too many unknowns
   bool valid{};                    ///< the equations of motion could be solved
   std::vector<GrowingMode> modes;  ///< the fastest that grow, were contacts to slide both ways; at most 12
   /// One in which each contact at its limit slides or sticks as that motion has it.
