@@ -52,12 +52,13 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
           {"contacts", c.contacts},
           {"contacts_not_in_the_list", c.unlisted},
           {"listed_contacts_that_are_open", c.open},
-          {"applied_pressure", terms.pressure},
+          {"applied_pressure", terms.cell.pressure},
           {"friction", terms.springs.friction()},
           {"least_contacts", c.least_contacts},
           {"bulk_modulus", c.bulk_modulus},
           {"shear_modulus", c.shear_modulus},
           {"eigenvalues", eigenvalues},
+          {"growth_rate", c.growth_rate},
           {"parts", parts}};
 }
 
@@ -75,7 +76,7 @@ std::string line_of(const Finding& f) {
 std::string certificate_text(const Certificate& c, const CertificateTerms& terms, const std::string& of) {
   std::string text = fmt::format("Certificate of {}\n\n", of);
   text += fmt::format("{} particles, {} of them in the backbone with {} contacts; friction {:g}, p_a {:g}.\n",
-                      c.particles, c.backbone, c.contacts, terms.springs.friction(), terms.pressure);
+                      c.particles, c.backbone, c.contacts, terms.springs.friction(), terms.cell.pressure);
   text += "Recomputed from positions, radii, cell and tangential histories alone";
   text += fmt::format("; the run's list lacks {} contacts and has {} that are open.\n\n", c.unlisted, c.open);
   for (const Part& part : c.parts) {

@@ -5,6 +5,7 @@
 
 #include "engine/certificate/backbone.h"
 #include "engine/certificate/constraints.h"
+#include "engine/certificate/growth.h"
 #include "engine/certificate/modes.h"
 #include "engine/certificate/moduli.h"
 #include "engine/certificate/statics.h"
@@ -73,17 +74,17 @@ Part stress_part(const ContactNetwork& network, const CertificateTerms& terms) {
   Part part;
   part.name = "stress";
   part.asks = "Do the contacts carry the applied pressure, in every component that the cell can answer to?";
-  if (terms.freedom == CellFreedom::fixed) {
+  if (terms.cell.freedom == CellFreedom::fixed) {
     part.findings = {at_least("pressure [k_n/d_s]", p.trace() / 3, least_pressure)};
     part.note = "The cell is fixed: no pressure is applied.";
     return part;
   }
-  const bool shape = terms.freedom != CellFreedom::cubic;
-  const bool shears = terms.freedom == CellFreedom::triclinic;
+  const bool shape = terms.cell.freedom != CellFreedom::cubic;
+  const bool shears = terms.cell.freedom == CellFreedom::triclinic;
   const auto component = [&](const char* name, double error, bool answers) {
     part.findings.push_back(answers ? at_most(name, std::abs(error), terms.stress_error) : told(name, error));
   };
-  const Eigen::Matrix3d error = symmetric / terms.pressure - Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d error = symmetric / terms.cell.pressure - Eigen::Matrix3d::Identity();
   component("|mean - p_a|/p_a", error.trace() / 3, true);
   component("|P_xx - p_a|/p_a", error(0, 0), shape);
   component("|P_yy - p_a|/p_a", error(1, 1), shape);
@@ -91,7 +92,8 @@ Part stress_part(const ContactNetwork& network, const CertificateTerms& terms) {
   component("|P_xy|/p_a", error(0, 1), shears);
   component("|P_xz|/p_a", error(0, 2), shears);
   component("|P_yz|/p_a", error(1, 2), shears);
-  component("largest |P_ab - P_ba|/p_a", (p - p.transpose()).cwiseAbs().maxCoeff() / terms.pressure, true);
+  component("largest |P_ab - P_ba|/p_a", (p - p.transpose()).cwiseAbs().maxCoeff() / terms.cell.pressure,
+            true);
   return part;
 }
 
@@ -147,13 +149,61 @@ Part stability_part(const Modes& modes, std::size_t shown, std::int64_t sliding)
   }
   part.proves = sure ? Proves::sufficient : Proves::necessary;
   if (sliding > 0)
-    part.note = "At contacts that slide, F_t follows F_n; that part of the stiffness is left out.";
+    part.note = "At contacts that slide, F_t follows F_n; that is no energy and stands in the next part.";
   if (open > 0 && sliding > 0) part.note += " ";
   if (open > 0) {
     part.note += std::to_string(open);
     part.note +=
         " of these motions no spring resists, only the turning of forces as weak as the imbalance of their "
         "spheres: whether they are stable cannot be said.";
+  }
+  return part;
+}
+
+/// The particles that hold most of the kinetic energy of a motion, and their share of it.
+std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const Backbone& backbone) {
+  const Eigen::VectorXd energy = motion.inertia().cwiseProduct(z.cwiseAbs2());
+  const Eigen::Index each = motion.per_particle();
+  std::vector<std::pair<double, std::uint32_t>> shares;
+  for (Eigen::Index n = 0; n < motion.particles(); ++n)
+    shares.emplace_back(energy.segment(each * n, each).sum() / energy.sum(),
+                        backbone.particles[static_cast<std::size_t>(n)] + 1);
+  std::sort(shares.rbegin(), shares.rend());
+  shares.resize(std::min<std::size_t>(shares.size(), 3));
+  double share = 0;
+  std::string ids;
+  for (const auto& [of_one, id] : shares)
+    share += of_one, ids += (ids.empty() ? "" : ", ") + std::to_string(id);
+  return std::to_string(std::lround(100 * share)) + " % of its energy is in the particles " + ids;
+}
+
+Part growth_part(const SmallMotion& motion, const Growth& growth, const Backbone& backbone) {
+  const GrowingMode* both_ways = growth.fastest();
+  Part part;
+  part.name = "stability with sliding";
+  part.asks =
+      "Does every small motion die out, with inertia and damping, when F_t of a contact that slides follows "
+      "F_n?";
+  if (!growth.asked) {
+    part.note = "Not asked: too many unknowns to factor.";
+    return part;
+  }
+  part.findings = {at_least("equations of motion solved", growth.valid ? 1 : 0, 1),
+                   at_most("rate of a motion that grows as its contacts go [1/time]",
+                           growth.certain ? growth.certain->rate() : 0, 0),
+                   told("rate of the fastest, were contacts to slide both ways [1/time]",
+                        both_ways ? both_ways->rate() : 0)};
+  if (both_ways) {
+    part.findings.push_back(told("its angular frequency [1/time]", both_ways->lambda.imag()));
+    part.findings.push_back(told("its doubt for want of balance [1/time]", both_ways->doubt));
+  }
+  const GrowingMode* shown = growth.certain ? &*growth.certain : both_ways;
+  if (shown) {
+    part.note = growth.certain ? "The packing is not at a stable rest: a small motion grows"
+                               : "Were the contacts that slide to slide both ways, a small motion would grow";
+    part.note += " e-fold in " + std::to_string(std::lround(1 / shown->rate())) + " time units; " +
+                 movers(motion, shown->motion, backbone) + ".";
+    if (!growth.certain) part.note += " A contact that turns back sticks, and may hold it.";
   }
   return part;
 }
@@ -192,8 +242,10 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const CoreRule rule = core_rule(terms.springs);
   const Backbone backbone = find_backbone(network, packing.species, rule);
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
-  const Modes modes = find_modes(stiffness, terms.freedom, terms.eigenvalues);
+  const Modes modes = find_modes(stiffness, terms.cell.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);
+  const SmallMotion small(network, backbone, terms.cell);
+  const Growth growth = find_growth(small);
 
   Certificate certificate;
   certificate.particles = std::ssize(packing.radius);
@@ -207,13 +259,15 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const auto shown = static_cast<std::size_t>(terms.eigenvalues);
   certificate.eigenvalues = modes.lowest;
   if (certificate.eigenvalues.size() > shown) certificate.eigenvalues.resize(shown);
+  if (growth.fastest()) certificate.growth_rate = growth.fastest()->rate();
   certificate.parts = {backbone_part(network, packing.species, backbone),
                        balance_part(network, backbone, terms, certificate.balance),
                        stress_part(network, terms),
                        friction_part(network, backbone, terms),
-                       constraint_part(network, backbone, terms.freedom),
+                       constraint_part(network, backbone, terms.cell.freedom),
                        stability_part(modes, shown, friction_state(network, backbone).sliding),
-                       moduli_part(moduli, terms.freedom)};
+                       growth_part(small, growth, backbone),
+                       moduli_part(moduli, terms.cell.freedom)};
   return certificate;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/certificate/contact_network.h"
 #include "engine/certificate/part.h"
+#include "engine/certificate/small_motion.h"
 #include "engine/state/cell.h"
 #include "engine/state/packing.h"
 
@@ -14,8 +15,7 @@ namespace furnas {
 /// What a packing claims to be, and how closely it must be that.
 struct CertificateTerms {
   Springs springs;
-  CellFreedom freedom = CellFreedom::triclinic;
-  double pressure = 1e-4;  ///< p_a; without meaning in a fixed cell [k_n/d_s]
+  CellMotion cell;  ///< its freedom and p_a, and how it moves
 
   double tight_imbalance = 1e-4;   ///< mean |net force|/mean |F| that is called tight
   double imbalance = 1e-3;         ///< the same, that is accepted
@@ -42,6 +42,7 @@ struct Certificate {
   double bulk_modulus{};            ///< K, not a number if it could not be had [k_n/d_s]
   double shear_modulus{};           ///< G, mean over directions [k_n/d_s]
   std::vector<double> eigenvalues;  ///< the lowest [k_n]
+  double growth_rate{};             ///< of the fastest motion that grows, 0 if none was found [1/time]
   std::vector<Part> parts;
 
   bool passed() const {

@@ -47,12 +47,14 @@ StaticContact at_rest(const Packing& p, const Springs& springs, const Overlap& o
   c.distance = norm(o.branch);
   c.normal = o.branch * (1 / c.distance);
   const double overlap = p.radius[o.i] + p.radius[o.j] - c.distance;
-  const ContactStiffness stiffness = stiffness_of(
-      springs.law,
-      resting_touch(p.radius[o.i], p.radius[o.j], reduced_mass(p.mass[o.i], p.mass[o.j]), overlap));
+  const double mass = reduced_mass(p.mass[o.i], p.mass[o.j]);
+  const ContactStiffness stiffness =
+      stiffness_of(springs.law, resting_touch(p.radius[o.i], p.radius[o.j], mass, overlap));
   c.normal_force = stiffness.push;
   c.normal_stiffness = stiffness.normal;
   c.tangential_stiffness = stiffness.tangential;
+  c.normal_damping = mass * stiffness.normal_damping;
+  c.tangential_damping = mass * stiffness.tangential_damping;
   const double shortening = arms_meet(springs.law) ? 0.5 * overlap : 0;
   c.arm_i = p.radius[o.i] - shortening;
   c.arm_j = p.radius[o.j] - shortening;
@@ -76,6 +78,7 @@ ContactNetwork contact_network(const Packing& p, const Springs& springs) {
   ContactNetwork network;
   network.springs = springs;
   network.radius = p.radius;
+  network.mass = p.mass;
   network.volume = p.cell.volume();
   const RecordedContacts recorded(p);
   std::int64_t listed = 0;

@@ -30,6 +30,8 @@ struct StaticContact {
   double normal_force{};                ///< F_n of the spring, > 0 [k_n d_s]
   double normal_stiffness{};            ///< dF_n/d overlap [k_n]
   double tangential_stiffness{};        ///< k_t [k_n]
+  double normal_damping{};              ///< m_eff gamma_n [k_n time]
+  double tangential_damping{};          ///< m_eff gamma_t [k_n time]
   Vec3<double> tangential_force;        ///< F_t = -k_t xi, on i [k_n d_s]
   bool sliding{};                       ///< at the Coulomb limit
   bool known{};                         ///< the packing's list has it, with its history
@@ -42,6 +44,7 @@ struct StaticContact {
 struct ContactNetwork {
   Springs springs;
   std::vector<double> radius;  ///< of each particle [d_s]
+  std::vector<double> mass;    ///< of each particle [rho d_s^3]
   double volume{};             ///< of the cell [d_s^3]
   std::vector<StaticContact> contacts;
   double mean_force{};         ///< mean |F| of all contacts; 0 without any [k_n d_s]

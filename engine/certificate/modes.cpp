@@ -106,13 +106,15 @@ MatrixXd free_strains(CellFreedom freedom) {
   return MatrixXd(6, 0);
 }
 
+double displacement_of_strain(double volume, std::int64_t backbone) {
+  return std::cbrt(volume) * std::sqrt(static_cast<double>(backbone) / 12);
+}
+
 Modes find_modes(const Stiffness& stiffness, CellFreedom freedom, int count) {
   Modes modes;
   const Index backbone = stiffness.unknowns() / stiffness.per_particle();
   if (backbone == 0) return modes;
-  // A strain e moves a particle at x by e x; x^2 is L^2/12 in the mean.
-  const double displacement = std::cbrt(stiffness.volume()) * std::sqrt(static_cast<double>(backbone) / 12);
-  const MatrixXd strains = free_strains(freedom) / displacement;
+  const MatrixXd strains = free_strains(freedom) / displacement_of_strain(stiffness.volume(), backbone);
 
   MatrixXd vectors;
   if (stiffness.unknowns() + strains.cols() <= few)

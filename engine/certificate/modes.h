@@ -34,6 +34,10 @@ struct Modes {
 /// The strains that a cell may make, as columns.
 Eigen::MatrixXd free_strains(CellFreedom freedom);
 
+/// The displacement that a strain of 1 gives to a backbone, squared and summed over its particles, the root
+/// of that: a strain e moves a particle at x by e x, and x^2 is L^2/12 in the mean [d_s].
+double displacement_of_strain(double volume, std::int64_t backbone);
+
 /// The lowest `count` modes, and where there are negative ones more, up to 400 in all. The cell's strains
 /// enter as the root mean square displacement they give to the backbone, times the root of its number, so
 /// that eigenvalues do not depend on the unit of the strain.

@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "engine/certificate/backbone.h"
+#include "engine/certificate/bonds.h"
 #include "engine/certificate/contact_network.h"
 
 namespace furnas {
-
-/// The six strains e of an upper-triangular cell in the order xx yy zz xy xz yz; x moves by e x.
-using Strain = Eigen::Matrix<double, 6, 1>;
-using StrainMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// Second derivatives of the enthalpy U + p V of a backbone whose contacts are springs: what forces answer to
 /// small displacements (docs/certificate.md derives it).
@@ -56,29 +53,10 @@ class Stiffness {
   StrainMatrix among_strains() const;
 
  private:
-  struct Bond {
-    Eigen::Index i, j;       // first unknown of each particle
-    Eigen::Vector3d branch;  // [d_s]
-    Eigen::Vector3d normal;
-    Eigen::Vector3d friction;                       // F_t on i [k_n d_s]
-    Eigen::Vector3d sliding;                        // its direction at the Coulomb limit, or 0
-    double push;                                    // F_n [k_n d_s]
-    double normal_stiffness, tangential_stiffness;  // [k_n]
-    double lacking;       // net forces of both spheres, and their net torques/R [k_n d_s]
-    double arm_i, arm_j;  // [d_s]
-    double radius_i, radius_j;
-  };
-  struct Bridge {
-    Eigen::Index turn;  // first unknown of its turn
-    Eigen::Vector3d axis;
-  };
-  void find_bridges(const Backbone& backbone);
-  using Local = Eigen::Matrix<double, 18, 18>;  // u_i, turn_i, u_j, turn_j, e
-  using Vector = Eigen::Matrix<double, 18, 1>;
-  Local local(const Bond& bond) const;
-  Local elastic(const Bond& bond) const;
-  Local prestress(const Bond& bond, double push, const Eigen::Vector3d& friction) const;
-  Vector of_bond(const Bond& bond, const Motion& motion) const;
+  BondMatrix local(const Bond& bond) const;
+  BondMatrix elastic(const Bond& bond) const;
+  BondMatrix prestress(const Bond& bond, double push, const Eigen::Vector3d& friction) const;
+  BondVector of_bond(const Bond& bond, const Motion& motion) const;
   std::array<Eigen::Index, 12> places(const Bond& bond) const;
   StrainMatrix of_volume() const;
 

@@ -106,7 +106,7 @@ TEST(Certify, PassesJammedPackings) {
     EXPECT_GT(json["bulk_modulus"], 0.15);
     EXPECT_LT(json["bulk_modulus"], 0.35);
     EXPECT_GT(json["shear_modulus"], 0);
-    EXPECT_EQ(json["parts"].size(), 7u);
+    EXPECT_EQ(json["parts"].size(), 8u);
     EXPECT_EQ(json["eigenvalues"].size(), 6u);
   }
 }

@@ -59,9 +59,6 @@ TEST(Minimize, RefusesAMemoryThatIsNone) {
 Protocol frictionless() {
   Protocol protocol;
   protocol.contact.friction = 0;
-  protocol.affine_velocity = true;
-  protocol.time_step = 0.1;
-  protocol.rest.window = 2000;
   protocol.steps = 200'000;
   return protocol;
 }
@@ -144,7 +141,7 @@ struct Search {
   Search(const Protocol& protocol, const Packing& from, const std::string& saved)
       : simulation(make_simulation(model_of(protocol, from), from)),
         now(*simulation, backbone_threshold(law_of(protocol))),
-        watch(protocol.rest),
+        watch(protocol.rest, Rhythm(0.1)),
         minimize(watch, 200) {
     minimize.restore(saved);
   }
