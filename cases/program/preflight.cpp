@@ -176,8 +176,8 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double rate = pace_of_a_core * threads;
   const auto seconds = [&](double steps) { return steps * n.particles() / rate; };
   out.report += fmt::format(
-      "time      about {} for 2e5 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
-      duration_text(seconds(2e5)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
+      "time      about {} for 3e4 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
+      duration_text(seconds(3e4)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
       threads, threads == 1 ? "" : "s");
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());

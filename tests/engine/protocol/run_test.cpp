@@ -81,7 +81,7 @@ class EndsAt final : public Event {
 // What a stopped run hands on is all that the next one needs: bits, looks, counts.
 TEST(ProtocolRun, GoesOnAsIfItHadNotBeenStopped) {
   Protocol protocol = hasty();
-  protocol.steps = 9'000;
+  protocol.steps = 7'600;
   ProtocolRun whole(protocol, gas(), 1);
   whole.begin();
   EXPECT_EQ(whole.go().verdict, Verdict::budget);
