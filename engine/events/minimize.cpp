@@ -48,7 +48,7 @@ bool Minimize::due(Observation& now) {
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
-  constexpr std::int64_t patience = 20'000;  // evaluations
+  constexpr std::int64_t patience = 50'000;  // evaluations
   constexpr std::int64_t pause = 5;          // windows
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();

@@ -14,7 +14,7 @@ namespace furnas {
 /// may be saved and stopped; the energy that goes is booked as quenched, the work of the bath as that of the
 /// cell. The verdict is left to the steps that follow: all criteria must hold over a window of them.
 ///
-/// A search that has found no minimum after 20 000 evaluations is in a long flat valley, where inertia leads
+/// A search that has found no minimum after 50 000 evaluations is in a long flat valley, where inertia leads
 /// down as fast: the packing is left to the steps for five windows.
 class Minimize final : public Event {
  public:
