@@ -21,7 +21,7 @@ struct Result {
   RestReport rest;                    ///< how the criteria stood at the end
   std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest
   std::int64_t quenches{};            ///< times all motion was taken out (Quench)
-  std::int64_t evaluations{};         ///< times the minimizer computed all forces, each about a step
+  std::int64_t evaluations{};         ///< times the minimizer computed all forces
   std::int64_t flips{};               ///< times the cell was flipped
   std::uint64_t state_hash{};         ///< of the final state
   std::int64_t large{}, small{};      ///< particles of each species

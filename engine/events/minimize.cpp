@@ -35,21 +35,21 @@ std::int64_t Minimize::next(std::int64_t step) const {
 }
 
 bool Minimize::due(Observation& now) {
-  constexpr std::int64_t most = 1'000'000;  // evaluations at a pressure; where these do not help, none do
   if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
     pressure_ = pressure;
     spent_ = 0;
-    last_ = -1;
+    not_before_ = 0;
     searching_ = false;
   }
-  if (spent_ >= most) return searching_ = false;
   if (searching_) return true;
   const RestReport& r = watch_.look(now);
-  const bool again = last_ < 0 || now.step() >= last_ + watch_.window_length();
-  return again && has_found_its_basin(r, now.measures()) && !is_balanced(r, watch_.criteria());
+  return now.step() >= not_before_ && has_found_its_basin(r, now.measures()) &&
+         !is_balanced(r, watch_.criteria());
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
+  constexpr std::int64_t patience = 50'000;  // evaluations
+  constexpr std::int64_t pause = 5;          // windows
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();
   const auto enthalpy_and_motion = [&] {
@@ -67,17 +67,23 @@ std::optional<Verdict> Minimize::fire(Observation& now) {
   now.replace(p);
   evaluations_ += report.evaluations;
   spent_ += report.evaluations;
-  searching_ = !report.reached && !report.stuck;
-  last_ = now.step();
+  const bool ended = report.reached || report.stuck;
+  searching_ = !ended && spent_ < patience;
+  if (!searching_) {
+    not_before_ = now.step() + (ended ? 1 : pause) * watch_.window_length();
+    spent_ = 0;
+  }
   return {};
 }
 
-std::string Minimize::saved() { return exact_text(evaluations_, int{searching_}, pressure_, spent_, last_); }
+std::string Minimize::saved() {
+  return exact_text(evaluations_, int{searching_}, pressure_, spent_, not_before_);
+}
 
 void Minimize::restore(const std::string& saved) {
   if (saved.empty()) return;
-  const bool read = Numbers(saved).take_all(evaluations_, searching_, pressure_, spent_, last_);
-  if (!read || evaluations_ < 0 || !(pressure_ >= 0) || spent_ < 0 || last_ < -1)
+  const bool read = Numbers(saved).take_all(evaluations_, searching_, pressure_, spent_, not_before_);
+  if (!read || evaluations_ < 0 || !(pressure_ >= 0) || spent_ < 0 || not_before_ < 0)
     throw InputError("a run remembers \"" + saved +
                      "\" where it must remember how far a search for a minimum is");
 }

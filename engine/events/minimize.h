@@ -5,14 +5,17 @@
 namespace furnas {
 
 /// Without friction, puts a packing that has found its basin into the minimum of the enthalpy there
-/// (engine/minimize), which steps would approach a thousand times slower: soft modes of many spheres die out
-/// over 1e5 steps and more.
+/// (engine/minimize), which steps approach slowly: soft modes of many spheres die out over 1e5 steps and
+/// more.
 ///
 /// The basin is found when the packing carries the pressure with contacts that hold and its motion is small
 /// against the energy of its contacts; before, what moves still compacts it. Then all motion is taken out and
 /// forces are balanced to a part in 1e8. A search has many calls with a step between them, so that the run
 /// may be saved and stopped; the energy that goes is booked as quenched, the work of the bath as that of the
 /// cell. The verdict is left to the steps that follow: all criteria must hold over a window of them.
+///
+/// A search that has found no minimum after 50 000 evaluations is in a long flat valley, where inertia leads
+/// down as fast: the packing is left to the steps for five windows.
 class Minimize final : public Event {
  public:
   /// `evaluations` at most in one call, between which a run may be saved and stopped; 0: a second or two of
@@ -27,7 +30,8 @@ class Minimize final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
-  /// How often all forces were computed for it since the run began: each time costs about a step.
+  /// How often all forces were computed for it since the run began: each time costs as much as one to two
+  /// steps.
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
@@ -35,9 +39,9 @@ class Minimize final : public Event {
   std::int64_t in_a_call_;
   std::int64_t evaluations_ = 0;
   bool searching_ = false;
-  double pressure_ = 0;     ///< of the bath when last asked; the following are since it is so [k_n/d_s]
-  std::int64_t spent_ = 0;  ///< evaluations
-  std::int64_t last_ = -1;  ///< step at which the last search ended
+  double pressure_ = 0;          ///< of the bath when last asked; the following are since it is so [k_n/d_s]
+  std::int64_t spent_ = 0;       ///< evaluations of the search that is on
+  std::int64_t not_before_ = 0;  ///< step from which on the next one may begin
 };
 
 }  // namespace furnas

@@ -58,7 +58,7 @@ struct Ledger {
   double initial{};    ///< energy at the start
   double cell_work{};  ///< done by the moving cell on the particles
   Losses losses;
-  double quenched{};  ///< kinetic energy taken out by Quench
+  double quenched{};  ///< taken out between steps: motion by Quench, motion and springs by Minimize
   ContactWork last;   ///< of the last step: a force acts over half a step before its instant and after it
 
   /// What the balance misses of `energy`: 0 but for the error of the time step.

@@ -41,6 +41,20 @@ TEST(Minimize, WaitsUntilTheMotionIsSmallAgainstTheSprings) {
   EXPECT_FALSE(due({.force_imbalance = 0.05, .rattler_energy = 0.06 * springs}, overlap));
 }
 
+TEST(Minimize, LeavesThePackingToTheStepsAfterASearch) {
+  RestingStory story([](std::int64_t) { return Unrest{.force_imbalance = 0.05}; });
+  Minimize minimize(story.watch);
+  minimize.restore("20000 0 0.0001 0 5000");
+  std::int64_t step = 0;
+  do {
+    step = minimize.next(step);
+    story.simulation.advance(step - story.now.step(), nullptr);
+  } while (!minimize.due(story.now) && step < 100'000);
+  EXPECT_EQ(step, 5000);
+  minimize.restore("20000 0 0.001 0 500000");
+  EXPECT_TRUE(minimize.due(story.now)) << "another pressure is a new beginning";
+}
+
 TEST(Minimize, RefusesAMemoryThatIsNone) {
   RestWatch watch({}, story_rhythm);
   Minimize minimize(watch);
