@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <optional>
 
 #include "engine/certificate/backbone.h"
 #include "engine/certificate/constraints.h"
@@ -177,7 +178,9 @@ std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const B
   return std::to_string(std::lround(100 * share)) + " % of its energy is in the particles " + ids;
 }
 
-Part growth_part(const SmallMotion& motion, const Growth& growth, const Backbone& backbone) {
+/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not.
+Part growth_part(const SmallMotion& motion, const Growth& growth, const std::optional<Growth>& in_the_run,
+                 const Backbone& backbone) {
   const GrowingMode* both_ways = growth.fastest();
   Part part;
   part.name = "stability with sliding";
@@ -196,6 +199,12 @@ Part growth_part(const SmallMotion& motion, const Growth& growth, const Backbone
   if (both_ways) {
     part.findings.push_back(told("its angular frequency [1/time]", both_ways->lambda.imag()));
     part.findings.push_back(told("its doubt for want of balance [1/time]", both_ways->doubt));
+  }
+  if (in_the_run) {
+    const GrowingMode* own = in_the_run->fastest();
+    part.findings.push_back(
+        told("rate of the fastest in the run, whose contacts do not feel the cell's flow [1/time]",
+             own ? own->rate() : 0));
   }
   const GrowingMode* shown = growth.certain ? &*growth.certain : both_ways;
   if (shown) {
@@ -244,8 +253,14 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
   const Modes modes = find_modes(stiffness, terms.cell.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);
-  const SmallMotion small(network, backbone, terms.cell);
+  // As a material: what the cell's flow does to contacts that do not feel it is no property of the packing.
+  CellMotion felt = terms.cell;
+  felt.affine_velocity = true;
+  const SmallMotion small(network, backbone, felt);
   const Growth growth = find_growth(small);
+  std::optional<Growth> in_the_run;
+  if (!terms.cell.affine_velocity && terms.cell.freedom != CellFreedom::fixed)
+    in_the_run = find_growth(SmallMotion(network, backbone, terms.cell));
 
   Certificate certificate;
   certificate.particles = std::ssize(packing.radius);
@@ -266,7 +281,7 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.cell.freedom),
                        stability_part(modes, shown, friction_state(network, backbone).sliding),
-                       growth_part(small, growth, backbone),
+                       growth_part(small, growth, in_the_run, backbone),
                        moduli_part(moduli, terms.cell.freedom)};
   return certificate;
 }

@@ -281,6 +281,7 @@ Growth find_growth(const SmallMotion& motion) {
     GrowingMode mode{.lambda = r.lambda, .motion = r.motion};
     const bool exact = r.lambda.imag() == 0 ? refine<double>(motion, mode) : refine<Complex>(motion, mode);
     if (!exact || !(mode.rate() > least_rate)) continue;
+    if (mode.grows() && !motion.slides()) growth.certain = mode;
     if (mode.grows() && mode.lambda.imag() == 0)
       for (const double way : {1.0, -1.0})
         if (!growth.certain) growth.certain = as_contacts_go(motion, mode, way);

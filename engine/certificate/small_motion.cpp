@@ -1,6 +1,7 @@
 #include "engine/certificate/small_motion.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <variant>
@@ -220,6 +221,10 @@ void SmallMotion::hold_centre(Eigen::Ref<Eigen::VectorXcd> motion) const {
 }
 void SmallMotion::hold_centre(Eigen::Ref<VectorXd> motion) const {
   without_mean(inertia_, particles_, per_particle_, motion);
+}
+
+bool SmallMotion::slides() const {
+  return std::any_of(bonds_.begin(), bonds_.end(), [](const Bond& b) { return !b.sliding.isZero(); });
 }
 
 VectorXd SmallMotion::loading(const VectorXd& motion, double lambda) const {

@@ -52,6 +52,9 @@ class SmallMotion {
   void hold_centre(Eigen::Ref<Eigen::VectorXcd> motion) const;
   void hold_centre(Eigen::Ref<Eigen::VectorXd> motion) const;
 
+  /// Whether a contact is at the Coulomb limit.
+  bool slides() const;
+
   /// By how much, in a motion z e^(lambda t) with a real lambda, spring and dashpot of each contact at the
   /// Coulomb limit outgrow it: where that is positive the contact slides on, where it is negative it sticks;
   /// 0 of a contact below the limit [k_n d_s].
