@@ -192,13 +192,5 @@ TEST(Minimize, GoesOnInTheMiddleOfASearch) {
   }
 }
 
-TEST(NightlyMinimize, BringsTenThousandSpheresToRest) {
-  const Ending end = jam_of(frictionless(), spheres(10'000), 2);
-  ASSERT_EQ(end.verdict, Verdict::jammed);
-  EXPECT_LT(end.step + end.evaluations, 150'000);
-  EXPECT_NEAR(end.measures.phi, 0.637, 0.003);
-  EXPECT_TRUE(certify(end.packing, {}).passed());
-}
-
 }  // namespace
 }  // namespace furnas
