@@ -40,7 +40,6 @@ class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
 
   Factor(const SmallMotion& motion, Number lambda) : matrix_(at(motion, lambda)) {
     this->umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // the pattern is
-    this->umfpackControl()[UMFPACK_IRSTEP] = 0;  // what is found is refined as a whole
     this->compute(matrix_);
   }
   bool valid() const { return this->info() == Eigen::Success; }
