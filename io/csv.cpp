@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/require.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -83,7 +84,7 @@ std::string without_commas(std::string text) {
 
 bool read_csv_row(std::istream& file, std::vector<std::string>& cells) {
   std::string row, line;
-  while (std::getline(file, line)) {
+  while (read_line(file, line)) {
     if (line.ends_with('\r')) line.pop_back();
     row += line;
     if (auto found = cells_of(row)) {

@@ -58,14 +58,22 @@ std::string read_file(const std::filesystem::path& path) {
   return text;
 }
 
+bool read_line(std::istream& stream, std::string& line) {
+  stream.exceptions(std::ios::badbit);
+  return static_cast<bool>(std::getline(stream, line));
+}
+
 TextReader::TextReader(const std::filesystem::path& path)
     : name_(path.string()), size_(readable_size(path)), stream_(open_file(path)) {}
 
 bool TextReader::next_line() {
-  if (!std::getline(stream_, line_)) {
-    if (stream_.bad()) fail("the file cannot be read any further");
-    line_.clear();
-    return false;
+  try {
+    if (!read_line(stream_, line_)) {
+      line_.clear();
+      return false;
+    }
+  } catch (const std::ios_base::failure&) {
+    fail("the file cannot be read any further");
   }
   ++line_number_;
   if (line_number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);

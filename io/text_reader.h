@@ -19,6 +19,11 @@ std::ifstream open_file(const std::filesystem::path& path);
 /// All that a file holds; throws as open_file, and InputError if it cannot be read to its end.
 std::string read_file(const std::filesystem::path& path);
 
+/// Reads the next line, without its end; false after the last. Throws what std::getline would keep to itself
+/// and then look like the end: std::bad_alloc, and std::ios_base::failure if the stream cannot be read any
+/// further.
+bool read_line(std::istream& stream, std::string& line);
+
 /// A text file, line by line, and the numbers in its lines. Each failure names file and line.
 class TextReader {
  public:

@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 #include <ostream>
+#include <system_error>
 
 #include "cases/program/build_info.h"
 #include "cases/program/run/folder_lock.h"
@@ -89,6 +90,11 @@ ExitCode run_guarded(const Command& command, Console console) {
     if (error.code() == std::errc::not_enough_memory)
       return complain(console, ExitCode::out_of_memory, "out of memory");
     return complain(console, ExitCode::output_failed, error.what());
+  } catch (const std::system_error& error) {
+    // So the system says that it has no memory, or no number, left for another thread.
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return complain(console, ExitCode::out_of_memory, "out of memory, or of threads");
+    return complain(console, ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
   } catch (const FolderInUse& error) {
     return complain(console, ExitCode::folder_in_use, error.what());
   } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 
 #include <rapidcheck.h>
 
+#include "io/csv.h"
 #include "io/text_writer.h"
 #include "tests/io/packings.h"
 
@@ -20,6 +21,21 @@ TEST(ReadFile, HasEveryByteOrSaysWhyNot) {
             std::string::npos);
   EXPECT_NE(input_error([&] { read_file((folder / "a").parent_path()); }).find("cannot be read to its end"),
             std::string::npos);
+}
+
+/// A stream whose next block does not fit into the memory.
+struct NoRoom : std::streambuf {
+  int_type underflow() override { throw std::bad_alloc(); }
+};
+
+TEST(ReadLine, TakesMissingMemoryForNoEnd) {
+  NoRoom none;
+  std::istream stream(&none);
+  std::string line;
+  EXPECT_THROW(read_line(stream, line), std::bad_alloc);
+  std::istream table(&none);
+  std::vector<std::string> cells;
+  EXPECT_THROW(read_csv_row(table, cells), std::bad_alloc);
 }
 
 TEST(TextReader, GoesThroughLinesAndWords) {
