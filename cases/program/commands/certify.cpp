@@ -28,14 +28,14 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   CertificateTerms terms;
   const Protocol protocol = protocol_of(c);
   terms.springs.law = law_of(protocol);
-  const Barostat bath = model_of(protocol, source.packing).barostat;
-  terms.cell = {
-      .freedom = bath.freedom,
-      .pressure = c.compaction.pressure.at(std::min(source.reached.size(), c.compaction.pressure.size() - 1)),
-      .inertia = bath.inertia,
-      .drag = bath.drag,
-      .affine_velocity = protocol.affine_velocity,
-      .legacy = bath.legacy};
+  const std::vector<Barostat> baths = baths_of(protocol, source.packing);
+  const Barostat& bath = baths.at(std::min(source.reached.size(), baths.size() - 1));
+  terms.cell = {.freedom = bath.freedom,
+                .pressure = bath.pressure,
+                .inertia = bath.inertia,
+                .drag = bath.drag,
+                .affine_velocity = protocol.affine_velocity,
+                .legacy = bath.legacy};
   const RestCriteria& rest = protocol.rest;
   terms.tight_imbalance = rest.force_imbalance;
   terms.imbalance = options.force_imbalance.value_or(std::max(rest.force_imbalance, rest.loose_imbalance));
