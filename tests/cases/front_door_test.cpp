@@ -16,13 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-struct Answer {
+struct ShellAnswer {
   int code;
   std::string text;  ///< stdout and stderr
 };
 
-Answer shell(const std::string& command) {
-  Answer answer{};
+ShellAnswer shell(const std::string& command) {
+  ShellAnswer answer{};
   std::FILE* pipe = popen(("exec 2>&1; " + command).c_str(), "r");
   for (int letter = std::fgetc(pipe); letter != EOF; letter = std::fgetc(pipe))
     answer.text += static_cast<char>(letter);
@@ -78,7 +78,7 @@ class FrontDoor : public testing::Test {
   }
 
   /// Calls the front door from another folder.
-  Answer door(const std::string& arguments, const std::string& setting = "") {
+  ShellAnswer door(const std::string& arguments, const std::string& setting = "") {
     return shell("cd '" + (root_ / "elsewhere").string() + "' && " + setting + " ../furnas " + arguments);
   }
 
@@ -86,10 +86,10 @@ class FrontDoor : public testing::Test {
 };
 
 TEST_F(FrontDoor, BuildsThenBecomesTheProgram) {
-  const Answer first = door("'a b' case.toml");
+  const ShellAnswer first = door("'a b' case.toml");
   EXPECT_EQ(first.code, 2);
   EXPECT_EQ(first.text, "furnas: configuring ...\nfurnas: building ...\nprogram<a b><case.toml>");
-  const Answer second = door("");
+  const ShellAnswer second = door("");
   EXPECT_EQ(second.code, 0);
   EXPECT_EQ(second.text, "program");
 
@@ -101,7 +101,7 @@ TEST_F(FrontDoor, BuildsThenBecomesTheProgram) {
 
 TEST_F(FrontDoor, SaysWhyTheBuildFailed) {
   write(root_ / "furnas.c", "int main(void) { return nothing; }\n");
-  const Answer answer = door("");
+  const ShellAnswer answer = door("");
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("nothing"));
   EXPECT_THAT(answer.text, HasSubstr("build/release/build.log"));
@@ -109,7 +109,7 @@ TEST_F(FrontDoor, SaysWhyTheBuildFailed) {
 
 TEST_F(FrontDoor, TwoCallsAtOnceShareOneBuild) {
   auto other = std::async(std::launch::async, [&] { return door("one"); });
-  const Answer mine = door("two");
+  const ShellAnswer mine = door("two");
   EXPECT_EQ(mine.code, 1);
   EXPECT_THAT(mine.text, HasSubstr("program<two>"));
   EXPECT_THAT(other.get().text, HasSubstr("program<one>"));
@@ -121,17 +121,17 @@ TEST_F(FrontDoor, MovedCheckoutIsConfiguredAnew) {
   fs::remove_all(moved);
   fs::rename(root_, moved);
   root_ = moved;
-  const Answer answer = door("");
+  const ShellAnswer answer = door("");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("program"));
 }
 
 TEST_F(FrontDoor, TestRunsTheCommitLabelAndCarriesItsCode) {
   for (const char* room : {"engine", "io", "viz", "cases", "tests"}) fs::create_directories(root_ / room);
-  const Answer commit = door("test");
+  const ShellAnswer commit = door("test");
   EXPECT_EQ(commit.code, 0) << commit.text;
   EXPECT_THAT(commit.text, HasSubstr("tests: 1 passed, 0 failed"));
-  const Answer nightly = door("test -L nightly");
+  const ShellAnswer nightly = door("test -L nightly");
   EXPECT_NE(nightly.code, 0);
   EXPECT_THAT(nightly.text, HasSubstr("tests: 0 passed, 1 failed"));
   EXPECT_NE(door("test -R nothing").code, 0);
@@ -142,7 +142,7 @@ TEST_F(FrontDoor, TestFailsOnAForeignFormat) {
   if (shell("command -v clang-format").code != 0) GTEST_SKIP() << "clang-format is not installed";
   for (const char* room : {"engine", "io", "viz", "cases", "tests"}) fs::create_directories(root_ / room);
   write(root_ / "io/odd.cpp", "int  odd ( );\n");
-  const Answer answer = door("test");
+  const ShellAnswer answer = door("test");
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("format: not clang-format's: io/odd.cpp"));
 }
@@ -163,7 +163,7 @@ class FrontDoorPackages : public FrontDoor {
 
 TEST_F(FrontDoorPackages, InstallsOnlyWhatIsMissingAndOnlyOnce) {
   write_script(root_ / "bin/id", "echo 0");
-  const Answer answer = door("", with_path());
+  const ShellAnswer answer = door("", with_path());
   EXPECT_EQ(answer.code, 0) << answer.text;
   EXPECT_THAT(answer.text, HasSubstr("furnas: installing libabsent-dev ..."));
   EXPECT_EQ(asked_text(), "update\ninstall -y --no-install-recommends libabsent-dev\n");
@@ -183,7 +183,7 @@ TEST_F(FrontDoorPackages, SaysWhatIsMissingWithoutRootOrSudo) {
   // A path with the few tools that are needed so far, and no sudo.
   for (const char* tool : {"sh", "sed", "tr", "cmp", "cp", "mkdir", "flock", "dirname", "readlink"})
     write_script(root_ / "bin" / tool, "exec /usr/bin/" + std::string(tool) + " \"$@\"");
-  const Answer answer = door("", "PATH='" + (root_ / "bin").string() + "'");
+  const ShellAnswer answer = door("", "PATH='" + (root_ / "bin").string() + "'");
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("apt-get install libabsent-dev"));
   EXPECT_FALSE(fs::exists(asked()));
@@ -200,9 +200,9 @@ TEST(FrontDoorScript, IsPlainShell) {
 TEST(NightlyFrontDoor, WorksInACleanClone) {
   const fs::path clone = own_folder("clone");
   fs::remove_all(clone);
-  const Answer cloned = shell("git clone -q '" + source.string() + "' '" + clone.string() + "'");
+  const ShellAnswer cloned = shell("git clone -q '" + source.string() + "' '" + clone.string() + "'");
   ASSERT_EQ(cloned.code, 0) << cloned.text;
-  const Answer answer = shell("cd / && '" + (clone / "furnas").string() + "' info");
+  const ShellAnswer answer = shell("cd / && '" + (clone / "furnas").string() + "' info");
   EXPECT_EQ(answer.code, 0) << answer.text;
   EXPECT_THAT(answer.text, HasSubstr("compiler"));
   fs::remove_all(clone);

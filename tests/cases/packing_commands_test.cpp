@@ -93,10 +93,9 @@ TEST(PackingCommands, NameTheFormatsThatTheyKnow) {
 TEST(Render, DrawsAFileAndTheFolderOfARun) {
   const Runs runs;
   ASSERT_EQ(runs.run("a", {"stop.steps=10"}).code, ExitCode::budget_spent);
-  for (const char* source : {"a", "a/packing.vtp"}) {
+  for (const char* from : {"a", "a/packing.vtp"}) {
     const std::string out = runs.path("picture.png");
-    const Answer answer =
-        furnas({"render", runs.path(source), "--out", out, "--size", "64", "--transparent"});
+    const Answer answer = furnas({"render", runs.path(from), "--out", out, "--size", "64", "--transparent"});
     ASSERT_EQ(answer.code, ExitCode::done) << answer.err;
     EXPECT_EQ(content(out).substr(0, png.size()), png);
     fs::remove(out);

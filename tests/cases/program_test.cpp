@@ -12,6 +12,7 @@
 #include "cases/program/run/folder_lock.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "tests/cases/runs.h"
 
 namespace furnas {
 namespace {
@@ -22,11 +23,6 @@ using testing::HasSubstr;
 Command command_that(std::function<ExitCode(Console)> run) {
   return {"act", "does what the test says", "furnas act", [](CommandLine&) {}, std::move(run)};
 }
-
-struct Answer {
-  ExitCode code;
-  std::string out, err;
-};
 
 Answer ask(const Command& command, const std::vector<std::string>& arguments) {
   std::ostringstream out, err;

@@ -26,14 +26,14 @@ Model model_for(const Case& c) {
   return model;
 }
 
-struct Outcome {
+struct End {
   Packing end;
   std::int64_t builds;
 };
 
 class Determinism : public ::testing::TestWithParam<Case> {
  protected:
-  Outcome run(const Model& with, int threads = 1, Execution execution = Execution::in_order) const {
+  End run(const Model& with, int threads = 1, Execution execution = Execution::in_order) const {
     // More threads than the machine has, so that several really work.
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);
     const auto simulation = make_simulation(with, start, threads, execution);
@@ -97,11 +97,11 @@ TEST_P(Determinism, TheSameBitsOnEveryInstructionSet) {
 }
 
 TEST_P(Determinism, TheSameBitsForAnySkin) {
-  const Outcome automatic = run(model);
+  const End automatic = run(model);
   for (double skin : {0.0, 0.01, 0.1, 0.5}) {
     Model other = model;
     other.skin = skin;
-    const Outcome r = run(other);
+    const End r = run(other);
     EXPECT_TRUE(test::same_packing(r.end, automatic.end)) << "skin " << skin;
     if (skin == 0)
       EXPECT_EQ(r.builds, steps + 1);  // a list without room is worn in every step

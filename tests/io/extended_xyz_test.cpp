@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-const std::string valid =
+const std::string valid_xyz =
     "2\n"
     "flag Lattice=\"4 0 0 1 4 0 0.5 -0.5 4\" Origin=\"1 1 1\" pbc=\"T T T\" Time=2 "
     "Properties=species:S:1:pos:R:3:radius:R:1:note:I:2\n"
@@ -30,7 +30,7 @@ TEST(ExtendedXyz, RoundTripIsExactToRounding) {
 
 TEST(ExtendedXyz, ReadsFilesOfOthers) {
   const TemporaryFolder folder;
-  write_file(folder / "a.xyz", valid);
+  write_file(folder / "a.xyz", valid_xyz);
   const Packing p = read_extended_xyz(folder / "a.xyz");
   EXPECT_EQ(p.cell.edges, (Triangle{.xx = 4, .yy = 4, .zz = 4, .yz = -0.5, .xz = 0.5, .xy = 1}));
   EXPECT_EQ(p.species, (std::vector{Species::large, Species::small}));
@@ -41,7 +41,7 @@ TEST(ExtendedXyz, ReadsFilesOfOthers) {
 
 TEST(ExtendedXyz, RefusesMalformedFiles) {
   const TemporaryFolder folder;
-  expect_refused(valid,
+  expect_refused(valid_xyz,
                  {
                      {"2\n", "x\n", "a.xyz:1: the number of particles is 'x'"},
                      {"2\n", "2 3\n", "first line"},
@@ -73,7 +73,7 @@ TEST(ExtendedXyz, RefusesMalformedFiles) {
 
 TEST(ExtendedXyz, SurvivesBeingCut) {
   const TemporaryFolder folder;
-  expect_no_crash_when_cut(valid, folder / "a.xyz", read_extended_xyz);
+  expect_no_crash_when_cut(valid_xyz, folder / "a.xyz", read_extended_xyz);
 }
 
 }  // namespace

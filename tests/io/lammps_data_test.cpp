@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-const std::string valid =
+const std::string valid_data =
     "two particles\n"
     "\n"
     "2 atoms  # so many\n"
@@ -33,7 +33,7 @@ const std::string valid =
 
 TEST(LammpsData, ReadsAnyOrderOfSectionsAndIds) {
   const TemporaryFolder folder;
-  write_file(folder / "a.data", valid);
+  write_file(folder / "a.data", valid_data);
   const Packing p = read_lammps_data(folder / "a.data");
   ASSERT_EQ(p.size(), 2u);
   EXPECT_EQ(p.cell.edges, (Triangle{.xx = 4, .yy = 4, .zz = 4, .yz = -0.5, .xz = 0.5, .xy = 1}));
@@ -73,7 +73,7 @@ TEST(LammpsData, ReadsTheReferenceStart) {
 TEST(LammpsData, RefusesMalformedFiles) {
   const TemporaryFolder folder;
   expect_refused(
-      valid,
+      valid_data,
       {
           {"2 atoms", "x atoms", "a.data:3: the number of particles is 'x'"},
           {"2 atoms", "0 atoms", "at least 1"},
@@ -114,7 +114,7 @@ TEST(LammpsData, RefusesMalformedFiles) {
 
 TEST(LammpsData, RefusesAnIdThatOccursTwice) {
   const TemporaryFolder folder;
-  std::string text = valid;
+  std::string text = valid_data;
   text.erase(text.find("Velocities"), text.find("Atoms #") - text.find("Velocities"));
   expect_refused(text, {{"7 2 3.0", "3 2 3.0", "the id 3 stands already in line"}}, folder / "a.data",
                  read_lammps_data);
@@ -122,7 +122,7 @@ TEST(LammpsData, RefusesAnIdThatOccursTwice) {
 
 TEST(LammpsData, SurvivesBeingCut) {
   const TemporaryFolder folder;
-  expect_no_crash_when_cut(valid, folder / "a.data", read_lammps_data);
+  expect_no_crash_when_cut(valid_data, folder / "a.data", read_lammps_data);
 }
 
 }  // namespace

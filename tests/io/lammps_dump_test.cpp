@@ -6,7 +6,7 @@
 namespace furnas {
 namespace {
 
-const std::string valid =
+const std::string valid_dump =
     "ITEM: UNITS\nlj\nITEM: TIME\n2.5\n"
     "ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n2\n"
     "ITEM: BOX BOUNDS xy xz yz pp pp pp\n"
@@ -38,7 +38,7 @@ TEST(LammpsDump, RoundTripIsExactToRounding) {
 
 TEST(LammpsDump, FindsColumnsByName) {
   const TemporaryFolder folder;
-  write_file(folder / "a.dump", valid);
+  write_file(folder / "a.dump", valid_dump);
   const Packing p = read_last_lammps_frame(folder / "a.dump");
   EXPECT_EQ(p.cell.edges, (Triangle{.xx = 4, .yy = 4, .zz = 4, .yz = -0.5, .xz = 0.5, .xy = 1}));
   EXPECT_EQ(p.step, 10);
@@ -82,7 +82,7 @@ TEST(LammpsDump, ReadsTheReferenceTrajectory) {
 
 TEST(LammpsDump, RefusesMalformedFiles) {
   const TemporaryFolder folder;
-  expect_refused(valid,
+  expect_refused(valid_dump,
                  {
                      {"ITEM: TIMESTEP", "ITEM TIMESTEP", "a.dump:5: expected 'ITEM: TIMESTEP'"},
                      {"\n10\n", "\n1.5\n", "a.dump:6: the step is '1.5'"},
@@ -115,7 +115,7 @@ TEST(LammpsDump, RefusesMalformedFiles) {
 
 TEST(LammpsDump, SurvivesBeingCut) {
   const TemporaryFolder folder;
-  expect_no_crash_when_cut(valid, folder / "a.dump", read_lammps_dump);
+  expect_no_crash_when_cut(valid_dump, folder / "a.dump", read_lammps_dump);
 }
 
 }  // namespace

@@ -22,67 +22,67 @@ std::vector<std::size_t> taken_out(std::size_t particles, const Edges& edges, in
   return numbers;
 }
 
-using Numbers = std::vector<std::size_t>;
+using Indices = std::vector<std::size_t>;
 
-Numbers all_of(std::size_t particles) {
-  Numbers numbers;
+Indices all_of(std::size_t particles) {
+  Indices numbers;
   for (std::size_t k = 0; k < particles; ++k) numbers.push_back(k);
   return numbers;
 }
 
 TEST(Rattlers, AChainFallsApartFromItsEnds) {
-  EXPECT_EQ(taken_out(6, chain(6), 1), Numbers{});
+  EXPECT_EQ(taken_out(6, chain(6), 1), Indices{});
   EXPECT_EQ(taken_out(6, chain(6), 2), all_of(6));
 }
 
 TEST(Rattlers, ARingHoldsAtTwoContacts) {
   const Edges ring = chain(6) + Edges{{5, 0}};
-  EXPECT_EQ(taken_out(6, ring, 2), Numbers{});
+  EXPECT_EQ(taken_out(6, ring, 2), Indices{});
   EXPECT_EQ(taken_out(6, ring, 3), all_of(6));
 }
 
 TEST(Rattlers, ATetrahedronHoldsAtThree) {
-  for (int least : {2, 3}) EXPECT_EQ(taken_out(4, clique(4), least), Numbers{});
+  for (int least : {2, 3}) EXPECT_EQ(taken_out(4, clique(4), least), Indices{});
   EXPECT_EQ(taken_out(4, clique(4), 4), all_of(4));
 }
 
 TEST(Rattlers, WithoutContactsAllRattle) {
   EXPECT_EQ(taken_out(3, {}, 2), all_of(3));
-  EXPECT_EQ(taken_out(3, {}, 0), Numbers{});
+  EXPECT_EQ(taken_out(3, {}, 0), Indices{});
 }
 
 /// A particle in a cage touches it at two points or three; the cage stands without it.
 TEST(Rattlers, ACagedParticleDoesNotTakeTheCageWithIt) {
   const Edges two = octahedron() + Edges{{0, 6}, {6, 3}};
-  EXPECT_EQ(taken_out(7, two, 2), Numbers{});
-  EXPECT_EQ(taken_out(7, two, 3), Numbers{6});
-  EXPECT_EQ(taken_out(7, two, 4), Numbers{6});
+  EXPECT_EQ(taken_out(7, two, 2), Indices{});
+  EXPECT_EQ(taken_out(7, two, 3), Indices{6});
+  EXPECT_EQ(taken_out(7, two, 4), Indices{6});
   const Edges three = two + Edges{{6, 4}};
-  EXPECT_EQ(taken_out(7, three, 3), Numbers{});
-  EXPECT_EQ(taken_out(7, three, 4), Numbers{6});
+  EXPECT_EQ(taken_out(7, three, 3), Indices{});
+  EXPECT_EQ(taken_out(7, three, 4), Indices{6});
 }
 
 /// The bridge between two cliques has two contacts a particle; it belongs to the 2-core alone.
 TEST(Rattlers, ABridgeBetweenTwoCliquesGoesAtThree) {
   const Edges joined = clique(4) + clique(4, 4) + Edges{{3, 8}, {8, 9}, {9, 4}};
-  EXPECT_EQ(taken_out(10, joined, 2), Numbers{});
-  EXPECT_EQ(taken_out(10, joined, 3), (Numbers{8, 9}));
+  EXPECT_EQ(taken_out(10, joined, 2), Indices{});
+  EXPECT_EQ(taken_out(10, joined, 3), (Indices{8, 9}));
   EXPECT_EQ(taken_out(10, joined, 4), all_of(10));
 }
 
 /// Taking one out leaves the next one too few, and so on to the end of a tail on a clique.
 TEST(Rattlers, AreTakenOutAgainAndAgain) {
   const Edges tailed = clique(5) + chain(100, 4);
-  Numbers tail;
+  Indices tail;
   for (std::size_t k = 5; k < 104; ++k) tail.push_back(k);
   for (int least : {2, 3, 4}) EXPECT_EQ(taken_out(104, tailed, least), tail);
 }
 
 /// Spheres that meet several images of each other, or their own, touch once for each.
 TEST(Rattlers, EveryImageIsAContactOfItsOwn) {
-  EXPECT_EQ(taken_out(2, {{0, 1}, {0, 1}, {1, 0}}, 3), Numbers{});
+  EXPECT_EQ(taken_out(2, {{0, 1}, {0, 1}, {1, 0}}, 3), Indices{});
   EXPECT_EQ(taken_out(2, {{0, 1}, {0, 1}, {1, 0}}, 4), all_of(2));
-  EXPECT_EQ(taken_out(1, {{0, 0}, {0, 0}}, 4), Numbers{});
+  EXPECT_EQ(taken_out(1, {{0, 0}, {0, 0}}, 4), Indices{});
   EXPECT_EQ(taken_out(1, {{0, 0}, {0, 0}}, 5), all_of(1));
 }
 

@@ -16,8 +16,8 @@
 namespace furnas {
 namespace {
 
-void copy(const int& from, int& to) { to = from; }
-void increment(int& value) { ++value; }
+void hand_on(const int& from, int& to) { to = from; }
+void count_up(int& value) { ++value; }
 void meet(const test::Meeting& meeting, bool& met) { met = meeting.attend(); }
 
 /// Lets a test have more threads than the machine.
@@ -60,8 +60,8 @@ TEST_F(StepGraphOnThreads, APhaseWhoseTurnComesBesideALongOneDoesNotWaitForIt) {
     int before = 0;
     StepGraph step;
     step.phase("long", meet, meeting, is_long);
-    step.phase("one", increment, before);
-    step.phase("two", increment, before);
+    step.phase("one", count_up, before);
+    step.phase("two", count_up, before);
     step.phase(
         "last", +[](const test::Meeting& m, const int& turns, bool& met) { met = m.attend() && turns == 2; },
         meeting, before, last);
@@ -120,8 +120,8 @@ TEST_F(StepGraphOnThreads, NothingRunsAnyMoreWhenTheCallerLearnsOfAFailure) {
         throw std::runtime_error("failed");
       },
       meeting, fails);
-  step.phase("after", copy, fails, after);
-  step.phase("after both", copy, slow, after);
+  step.phase("after", hand_on, fails, after);
+  step.phase("after both", hand_on, slow, after);
   after = -1;
   Workers(2).run([&] {
     EXPECT_THROW(step.run_as_graph(), std::runtime_error);

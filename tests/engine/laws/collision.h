@@ -33,16 +33,16 @@ inline constexpr int phase_count = 127;
 std::vector<Phase> phases_of_a_collision(double duration, double step);
 
 /// After a collision: slip of the surfaces and the two spins, means over the phases.
-struct Outcome {
+struct Rebound {
   double slip{}, spin_i{}, spin_j{};
 };
 
 /// Spheres without spin that meet with a normal and a tangential speed, in steps near `step`.
 template <class Law>
-Outcome collide(const HookeConstants& constants, double step, double normal_speed, double tangential_speed,
+Rebound collide(const HookeConstants& constants, double step, double normal_speed, double tangential_speed,
                 double radius_i, double radius_j) {
   const double duration = HeadOn{constants.normal_damping, reduced_mass_of(radius_i, radius_j)}.duration();
-  Outcome mean;
+  Rebound mean;
   for (const Phase& phase : phases_of_a_collision(duration, step)) {
     const Bounce b = bounce(model_of<Law>(constants, phase.time_step),
                             {.velocity = {-normal_speed, tangential_speed, 0}, .radius = radius_i},

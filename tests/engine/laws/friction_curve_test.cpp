@@ -163,7 +163,7 @@ TYPED_TEST(NightlyFrictionCurve, FollowsThePairModel) {
       for (double obliquity : {0.02, 0.05, 0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0}) {
         const double exact = pair.slip_after(obliquity);
         const auto error = [&](double dt) {
-          const Outcome is = collide<TypeParam>(constants, dt, speed, obliquity * speed, 0.5, radius);
+          const Rebound is = collide<TypeParam>(constants, dt, speed, obliquity * speed, 0.5, radius);
           return std::abs(is.slip / speed - exact);
         };
         const double now = error(step);

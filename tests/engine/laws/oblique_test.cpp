@@ -27,7 +27,7 @@ TYPED_TEST(ObliqueCollision, GrossSlidingTakesTheImpulseOfCoulomb) {
       const HookeConstants constants{
           .normal_damping = damping, .tangential_damping = damping, .friction = friction};
       const double step = damping > 0 ? paper_step : paper_step / 4;
-      const Outcome is = collide<TypeParam>(constants, step, speed, speed, 0.5, radius);
+      const Rebound is = collide<TypeParam>(constants, step, speed, speed, 0.5, radius);
       const double impulse = friction * mass * speed * HeadOn{damping, mass}.absolute_impulse();
       const double tolerance = damping > 0 ? 1e-2 : 1e-3;
       EXPECT_NEAR((speed - is.slip) / (3.5 * impulse / mass), 1, tolerance);

@@ -24,9 +24,9 @@ TEST(Protocol, TheBathIsAsHeavyAsThePacking) {
 }
 
 TEST(Protocol, TheLawFollowsFromNameAndFriction) {
-  const AnyLaw usual = law_of({});
-  EXPECT_TRUE(std::holds_alternative<HookeSynchronized>(usual));
-  EXPECT_EQ(backbone_threshold(usual), 2);
+  const AnyLaw default_law = law_of({});
+  EXPECT_TRUE(std::holds_alternative<HookeSynchronized>(default_law));
+  EXPECT_EQ(backbone_threshold(default_law), 2);
   EXPECT_TRUE(std::holds_alternative<HookeHistory>(law_of({.law = "hooke_history"})));
   const AnyLaw smooth = law_of({.contact = {.friction = 0}});
   EXPECT_TRUE(std::holds_alternative<Frictionless<false>>(smooth));
