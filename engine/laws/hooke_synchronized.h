@@ -56,9 +56,8 @@ struct HookeSynchronized {
                           history);
   }
 
- private:
   /// Takes the history through the step: carries it to the middle, adds the slip there, carries it to the
-  /// end. A step of no length leaves it alone.
+  /// end. A step of no length leaves it alone. Laws with another normal spring use it, too.
   template <class R>
   [[gnu::always_inline]] static SpringStep<R> aged(const Touch<R>& t, const Vec3<R>& end, Vec3<R>& history) {
     const R half(0.5);
