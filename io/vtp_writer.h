@@ -50,7 +50,7 @@ DataArray data_array(std::string_view name, std::size_t count, Element element) 
   return {.name = name,
           .type = vtk_type(Number{}),
           .count = count,
-          .components = sizeof(T) / sizeof(Number),
+          .components = sizeof(T) / sizeof(Number),  // NOLINT(bugprone-sizeof-expression): 1 for a number
           .element_size = sizeof(T),
           .fill = [element](std::size_t first, std::span<char> block) {
             for (std::size_t at = 0; at < block.size(); at += sizeof(T)) {
