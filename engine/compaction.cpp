@@ -14,6 +14,8 @@ const char* to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::jammed:
       return "jammed";
+    case Verdict::settled:
+      return "settled";
     case Verdict::budget:
       return "budget";
     case Verdict::diverged:

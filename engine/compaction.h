@@ -13,10 +13,10 @@
 
 namespace furnas {
 
-/// How a run ended. Only `jammed` gives a phi_J.
-enum class Verdict { jammed, budget, diverged, interrupted };
+/// How a run ended. Only `jammed` gives a phi_J; `settled` gives phi with a bound on what it may still change.
+enum class Verdict { jammed, settled, budget, diverged, interrupted };
 
-/// The verdict as it stands in files: "jammed", "budget", "diverged", "interrupted".
+/// The verdict as it stands in files: "jammed", "settled", "budget", "diverged", "interrupted".
 const char* to_string(Verdict verdict);
 
 /// What events look at between steps: the packing and its measures, taken once a step and only when asked.

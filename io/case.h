@@ -65,6 +65,7 @@ struct Case {
     double stilling = 100;            ///< motion is taken out within so many times balance and drift
     double stilling_energy = 1e4;     ///< and so many times the kinetic energy,
     double growth = 1.15;             ///< unless that grows by so much in half a window
+    double phi_error = 0;             ///< ends the run as settled once phi can change by less; 0: never
     bool minimizer = true;            ///< without friction, ends the compaction by minimizing the enthalpy
     std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
     friend bool operator==(const Stop&, const Stop&) = default;

@@ -69,6 +69,21 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
   return {};
 }
 
+std::optional<Conflict> conflict_of_phi_error(const Case& c) {
+  if (c.stop.phi_error == 0) return {};
+  const auto with = [&](const std::string& other) {
+    return Conflict{"stop.phi_error",
+                    fmt::format("stop.phi_error = {} and {} exclude each other", c.stop.phi_error, other)};
+  };
+  if (c.stop.criterion == "paper")
+    return with("stop.criterion = \"paper\": that one knows no bound; leave one out");
+  if (c.compaction.cell == "fixed") return with("compaction.cell = \"fixed\": phi does not change there");
+  if (c.compaction.pressure.size() > 1)
+    return with(
+        "several values of compaction.pressure: each but the last must be reached at rest; allowed: one");
+  return {};
+}
+
 std::optional<Conflict> conflict_of_time_step(const Case& c) {
   const Protocol protocol = protocol_of(c);
   const bool has_small = !c.start.file.empty() || c.mixture.small_fraction > 0;
@@ -89,6 +104,7 @@ std::optional<Conflict> conflict_of_time_step(const Case& c) {
 
 std::optional<Conflict> find_conflict(const Case& c) {
   if (auto conflict = conflict_of_start(c)) return conflict;
+  if (auto conflict = conflict_of_phi_error(c)) return conflict;
   return conflict_of_time_step(c);
 }
 

@@ -22,7 +22,8 @@ RestCriteria rest_of(const Case::Stop& stop) {
           .window = stop.window,
           .stilling = stop.stilling,
           .stilling_energy = stop.stilling_energy,
-          .growth = stop.growth};
+          .growth = stop.growth,
+          .phi_error = stop.phi_error};
 }
 
 }  // namespace

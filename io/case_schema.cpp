@@ -161,6 +161,10 @@ std::vector<Key> stop() {
             "but not while that energy grows by more than this factor in half a window: an unstable packing "
             "is let go",
             [](Case& c) -> Field { return &c.stop.growth; }),
+      plain("stop", "phi_error", "", from_to(0, 1),
+            "a run that does not come to rest ends as settled once phi can change by less than this, by its "
+            "creep and the stress that is wrong; 0: never",
+            [](Case& c) -> Field { return &c.stop.phi_error; }),
       plain("stop", "minimizer", "", std::monostate{},
             "without friction, let a minimizer of the enthalpy balance the forces at the end; false: steps "
             "alone",
@@ -235,9 +239,14 @@ std::vector<std::string_view> case_tables() {
 }
 
 bool changes_no_bit(const Key& key) {
-  constexpr std::string_view paths[] = {
-      "stop.steps",     "compute.threads",     "compute.skin",     "output.checkpoint_minutes",
-      "output.picture", "output.picture_size", "output.background"};
+  constexpr std::string_view paths[] = {"stop.steps",
+                                        "stop.phi_error",
+                                        "compute.threads",
+                                        "compute.skin",
+                                        "output.checkpoint_minutes",
+                                        "output.picture",
+                                        "output.picture_size",
+                                        "output.background"};
   return std::find(std::begin(paths), std::end(paths), key.path()) != std::end(paths);
 }
 

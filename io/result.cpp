@@ -92,6 +92,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"version", r.version},
       {"phi_J", phi_j ? Json(*phi_j) : Json(nullptr)},
       {"phi", m.phi},
+      {"phi_bound", r.verdict == Verdict::jammed ? Json(nullptr) : Json(r.phi_bound)},
       {"state_hash", fmt::format("{:016x}", r.state_hash)},
       {"force_balance", found_balance ? Json(found_balance) : Json(nullptr)},
       {"force_imbalance", backbone.backbone > 0 ? Json(m.force_imbalance) : Json(nullptr)},

@@ -15,20 +15,21 @@ namespace furnas {
 /// What a run found, and how.
 struct Result {
   Verdict verdict = Verdict::budget;
-  std::string reason;                 ///< why it ended so, in a sentence
-  std::string version;                ///< of furnas: another may give other bits
-  Measures measures;                  ///< at the end
-  RestReport rest;                    ///< how the criteria stood at the end
-  std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest
-  std::int64_t quenches{};            ///< times all motion was taken out (Quench)
-  std::int64_t evaluations{};         ///< times the minimizer computed all forces
-  std::int64_t flips{};               ///< times the cell was flipped
-  std::uint64_t state_hash{};         ///< of the final state
-  std::int64_t large{}, small{};      ///< particles of each species
-  double largest_diameter{};          ///< [d_s]
-  double time_step{};                 ///< [time]
-  double pressure{};                  ///< of the bath at the end [k_n/d_s]
-  double inertia{};                   ///< W [rho d_s^5]
+  std::string reason;                      ///< why it ended so, in a sentence
+  std::string version;                     ///< of furnas: another may give other bits
+  Measures measures;                       ///< at the end
+  RestReport rest;                         ///< how the criteria stood at the end
+  std::vector<RestingState> reached;       ///< each pressure at which the packing came to rest
+  double phi_bound = RestReport::unknown;  ///< on what phi may still change; infinite if not known
+  std::int64_t quenches{};                 ///< times all motion was taken out (Quench)
+  std::int64_t evaluations{};              ///< times the minimizer computed all forces
+  std::int64_t flips{};                    ///< times the cell was flipped
+  std::uint64_t state_hash{};              ///< of the final state
+  std::int64_t large{}, small{};           ///< particles of each species
+  double largest_diameter{};               ///< [d_s]
+  double time_step{};                      ///< [time]
+  double pressure{};                       ///< of the bath at the end [k_n/d_s]
+  double inertia{};                        ///< W [rho d_s^5]
   int threads{};
   double wall_seconds{};      ///< of all processes that had a part in it
   std::int64_t steps_here{};  ///< steps that they took

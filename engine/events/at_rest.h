@@ -26,6 +26,9 @@ struct RestCriteria {
   double stilling_energy = 1e4;
   /// unless the backbone's energy grows by more than this factor in half a window.
   double growth = 1.15;
+  /// A run that is not at rest ends as settled once phi can change by less (engine/events/settle.h); 0:
+  /// never.
+  double phi_error = 0;
 };
 
 /// The time over which a drift is counted [t_c].

@@ -40,6 +40,7 @@ bool Quench::due(Observation& now) {
   energies_.push_back(r.kinetic_energy);
   if (energies_.size() > looks_judged) energies_.pop_front();
   if (now.step() % watch_.window_length() != 0) return false;
+  steady_ = energies_.size() == looks_judged && !growing();
 
   const bool pressed = r.backbone > 0 && r.stress_error < of_stress * c.stress_error;
   const bool slow = pressed && r.kinetic_energy < slowly * c.kinetic_energy;
@@ -50,9 +51,8 @@ bool Quench::due(Observation& now) {
   const bool unfelt = r.stress_error < c.stress_error && r.force_imbalance < c.force_imbalance;
   const bool cold = r.kinetic_energy < c.stilling_energy * c.kinetic_energy;
   const bool still = near && (cold || unfelt);
-  const bool judged = energies_.size() == looks_judged;
   const bool in_vain = slow && slow_windows_ > patience;
-  return c.stilling > 0 && judged && !growing() && (still || in_vain);
+  return c.stilling > 0 && steady_ && (still || in_vain);
 }
 
 std::string Quench::saved() {

@@ -29,6 +29,9 @@ class Quench final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
+  /// Whether the backbone gained no speed in the last whole window; asked after due(), at its end.
+  bool steady() const { return steady_; }
+
   /// How often it has happened since the run began.
   std::int64_t count() const { return count_; }
 
@@ -36,6 +39,7 @@ class Quench final : public Event {
   bool growing() const;
 
   RestWatch& watch_;
+  bool steady_ = false;
   std::int64_t count_ = 0;
   double pressure_ = 0;  ///< of the bath when last asked; the following are since it is so [k_n/d_s]
   std::int64_t slow_windows_ = 0;  ///< ends of windows with all but the balance nearly there, more than not

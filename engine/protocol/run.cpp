@@ -6,6 +6,7 @@
 #include "engine/events/flip.h"
 #include "engine/events/minimize.h"
 #include "engine/events/quench.h"
+#include "engine/events/settle.h"
 #include "engine/monitor/faults.h"
 
 namespace furnas {
@@ -104,6 +105,10 @@ std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_); }
 std::int64_t ProtocolRun::evaluations() const {
   const auto* const event = find<Minimize>(events_);
   return event ? event->evaluations() : 0;
+}
+double ProtocolRun::phi_bound() const {
+  const auto* const event = find<Settle>(events_);
+  return event ? event->bound() : RestReport::unknown;
 }
 std::int64_t ProtocolRun::flips() const { return count_of<Flip>(events_); }
 

@@ -61,6 +61,8 @@ class ProtocolRun {
   std::int64_t quenches() const;     ///< times all motion was taken out
   std::int64_t evaluations() const;  ///< times the minimizer computed all forces
   std::int64_t flips() const;        ///< times the cell was flipped
+  /// Bound on what phi may still change (engine/events/settle.h); infinite where none is known.
+  double phi_bound() const;
 
   /// The packing; the run is over, and its memory free.
   Packing take_packing();

@@ -10,6 +10,7 @@
 #include "engine/events/monitor.h"
 #include "engine/events/quench.h"
 #include "engine/events/renew_order.h"
+#include "engine/events/settle.h"
 
 namespace furnas {
 
@@ -31,7 +32,12 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later), reached));
   if (can_rest) add(std::make_unique<AtRest>(watch));
   if (minimizes) add(std::make_unique<Minimize>(watch));
-  if (quenches) add(std::make_unique<Quench>(watch));
+  if (quenches) {
+    auto quench = std::make_unique<Quench>(watch);
+    auto settle = std::make_unique<Settle>(watch, *quench, rhythm.steps(drift_time));
+    add(std::move(quench));
+    add(std::move(settle));
+  }
   add_all(onlookers.after_verdict);
   add(std::make_unique<Budget>(protocol.steps));
   add_all(onlookers.limits);

@@ -25,13 +25,16 @@ struct Measures {
   double time{};  ///< [time]
   double phi{};   ///< packing fraction
   Cell cell;
-  std::array<double, 6> stress{};          ///< P: xx yy zz xy xz yz, contacts and peculiar motion [k_n/d_s]
-  double pressure{};                       ///< trace(P)/3 [k_n/d_s]
-  double kinetic_energy{};                 ///< per particle, translation and rotation [k_n d_s^2]
-  double backbone_kinetic_energy{};        ///< per backbone particle [k_n d_s^2]
-  double force_imbalance{};                ///< mean |net force| on the backbone/mean contact force
-  double mean_force{};                     ///< mean |contact force| [k_n d_s]
-  double largest_overlap{};                ///< largest overlap/smaller radius of its pair
+  std::array<double, 6> stress{};    ///< P: xx yy zz xy xz yz, contacts and peculiar motion [k_n/d_s]
+  double pressure{};                 ///< trace(P)/3 [k_n/d_s]
+  double kinetic_energy{};           ///< per particle, translation and rotation [k_n d_s^2]
+  double backbone_kinetic_energy{};  ///< per backbone particle [k_n d_s^2]
+  double force_imbalance{};          ///< mean |net force| on the backbone/mean contact force
+  double mean_force{};               ///< mean |contact force| [k_n d_s]
+  double largest_overlap{};          ///< largest overlap/smaller radius of its pair
+  /// Strain that would take the pressure off if every contact followed it: sum f d/sum (f/overlap) d^2, d
+  /// the distance of the centres and f the normal force.
+  double unloading_strain{};
   std::int64_t contacts{};                 ///< all of them, live or not
   double coordination{};                   ///< 2 contacts/N, rattlers included
   double sliding_share{};                  ///< share of the contacts at the Coulomb limit

@@ -53,7 +53,7 @@ std::string lasting(const std::string& name, const std::string& text) {
 /// What a run would go on from, without the seconds it took and the lists it built.
 std::map<std::string, std::string> lasting_memory(const Checkpoint& checkpoint) {
   auto extras = checkpoint.extras;
-  std::string& counts = extras["counts: replaced lists_built wall_seconds jammed"];
+  std::string& counts = extras["counts: replaced lists_built wall_seconds ended"];
   counts = counts.substr(0, counts.find(' ')) + counts.substr(counts.rfind(' '));
   return extras;
 }

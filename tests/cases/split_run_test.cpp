@@ -159,5 +159,64 @@ TEST(ReliableSplitRun, AVerdictIsFoundOnce) {
   EXPECT_EQ(difference(runs.path("whole"), runs.path("twice")), "");
 }
 
+/// Friction as in most runs, and a bound on phi that is soon small enough, though the cell is never as still
+/// as asked.
+constexpr const char* settling_case = R"([mixture]
+large = 60
+start_fraction = 0.3
+[compaction]
+pressure = 1e-3
+[stop]
+strain_drift = 1e-30
+phi_error = 1e-2
+[compute]
+threads = 1
+[output]
+history_every = 500
+picture = "none"
+)";
+
+/// phi of a settled run has a bound and is no phi_J; it may be carried on to rest.
+TEST(ReliableSplitRun, ASettledRunIsToldAgainAndGoesOn) {
+  const Runs runs(settling_case);
+  const Answer answer = runs.run("whole");
+  ASSERT_EQ(answer.code, ExitCode::done) << answer.err;
+  EXPECT_THAT(answer.out,
+              testing::HasSubstr("verdict   settled (phi can change by less than stop.phi_error)"));
+  const auto result = runs.result("whole");
+  EXPECT_EQ(result["verdict"], "settled");
+  EXPECT_TRUE(result["phi_J"].is_null());
+  EXPECT_GT(result["phi_bound"], 0);
+  EXPECT_LT(result["phi_bound"], 1e-2);
+
+  ASSERT_EQ(runs.run("twice").code, ExitCode::done);
+  fs::remove(runs.path("twice/result.json"));
+  ASSERT_EQ(runs.resume("twice").code, ExitCode::done);
+  EXPECT_EQ(difference(runs.path("whole"), runs.path("twice")), "");
+
+  const std::int64_t steps = result["steps"];
+  const Answer on = runs.resume("twice", {"--phi-error", "0", "--steps", std::to_string(steps + 5000)});
+  EXPECT_EQ(on.code, ExitCode::budget_spent) << on.err;
+  EXPECT_EQ(runs.result("twice")["steps"], steps + 5000);
+}
+
+/// A run that ends as settled, and one without friction that ends by the minimizer, each in processes of few
+/// steps.
+TEST(ReliableSplitRun, EndsAsTheWholeRunDoes) {
+  for (const std::vector<std::string>& set :
+       {std::vector<std::string>{}, {"contact.friction=0", "stop.strain_drift=1e-6", "stop.phi_error=0"}}) {
+    const Runs runs(settling_case);
+    ASSERT_EQ(runs.run("whole", set).code, ExitCode::done);
+    const std::int64_t steps = runs.result("whole")["steps"];
+    auto start = set;
+    start.emplace_back("stop.steps=0");
+    ASSERT_EQ(runs.run("chain", start).code, ExitCode::budget_spent);
+    for (std::int64_t step = 700; step < steps; step += 700)
+      ASSERT_EQ(runs.resume("chain", {"--steps", std::to_string(step)}).code, ExitCode::budget_spent);
+    ASSERT_EQ(runs.resume("chain", {"--steps", "10000000"}).code, ExitCode::done);
+    EXPECT_EQ(difference(runs.path("whole"), runs.path("chain")), "");
+  }
+}
+
 }  // namespace
 }  // namespace furnas

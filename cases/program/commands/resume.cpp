@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "cases/program/commands/command.h"
@@ -12,6 +14,7 @@ struct Options {
   std::string walltime;
   std::optional<int> threads;
   std::optional<std::int64_t> steps;
+  std::optional<double> phi_error;
 };
 
 }  // namespace
@@ -27,11 +30,13 @@ Command resume_command() {
     app.add("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
     app.add("--threads", options->threads, "compute.threads");
     app.add("--steps", options->steps, "stop.steps, to give a spent budget more");
+    app.add("--phi-error", options->phi_error, "stop.phi_error, to carry a settled run on; 0: to rest");
   };
   command.run = [options](Console console) {
     std::vector<std::string> set;
     if (options->threads) set.push_back("compute.threads=" + std::to_string(*options->threads));
     if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
+    if (options->phi_error) set.push_back(fmt::format("stop.phi_error={}", *options->phi_error));
     RunOrder order = order_to_resume(options->folder, set);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
     return run_case(std::move(order), console);

@@ -55,17 +55,18 @@ std::string maxima_table(const Study& study) {
 
 std::string points_table(const Study& study) {
   std::string text =
-      "| α | μ | f_s | N_l | N_s | jammed | budget | diverged, failed | unfinished | φ_J | ± | effective "
+      "| α | μ | f_s | N_l | N_s | jammed | settled | budget | diverged, failed | unfinished | φ_J | ± | "
+      "effective "
       "size |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
     if (p.unfinished == p.samples) continue;  // nothing is known of it
     const auto& phi = p.mean_phi_J;
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
-                    p.friction, p.small_fraction, p.large, p.small, p.jammed, p.samples, p.budget,
-                    p.diverged + p.failed, p.unfinished, phi ? fmt::format("{:.4f}", phi->mean) : "-",
-                    phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-", p.effective_size);
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
+        p.friction, p.small_fraction, p.large, p.small, p.jammed, p.samples, p.settled, p.budget,
+        p.diverged + p.failed, p.unfinished, phi ? fmt::format("{:.4f}", phi->mean) : "-",
+        phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-", p.effective_size);
   }
   return text;
 }
@@ -76,7 +77,8 @@ std::string report(const Study& study, const std::vector<Figure>& figures) {
   std::string text = R"(# The study beside the paper
 
 Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
-Written by `furnas figures`. Means are those of jammed samples alone; intervals are Student's t, 95 %. n: samples.
+Written by `furnas figures`. Means are those of jammed samples, and of settled ones where a table counts some: phi with a bound on what may still
+come, by which intervals are wider. Intervals are Student's t, 95 %. n: samples.
 *Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
 
 )";
@@ -84,7 +86,8 @@ Written by `furnas figures`. Means are those of jammed samples alone; intervals 
   if (!study.mono.empty()) text += "\n## Equal spheres, and the model that follows\n\n" + mono_table(study);
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
-      "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed samples together. "
+      "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed and settled "
+      "samples together. "
       "Where the small spheres rattle only the large ones count. Points of which no sample is finished are "
       "left out.\n\n";
   text += points_table(study);

@@ -150,9 +150,9 @@ Statement small_ratio(const Study& study) {
 }
 
 /// Those of a curve; its maximum is fitted to them.
-std::size_t jammed_samples(const Curve& curve) {
+std::size_t ended_samples(const Curve& curve) {
   std::size_t n = 0;
-  for (const Point& p : curve.points) n += p.jammed;
+  for (const Point& p : curve.points) n += p.jammed + p.settled;
   return n;
 }
 
@@ -173,8 +173,8 @@ Statement f_max_rises(const Study& study) {
       "α = {}: {:.3f} ({:.3f} to {:.3f}) at μ = {}, {:.3f} ({:.3f} to {:.3f}) at μ = {}: {:+.3f} ± {:.3f}",
       largest, low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max, high.f_max_low,
       high.f_max_high, maxima.back().friction, rise, reach);
-  s.n = std::to_string(jammed_samples(*study.curve(largest, maxima.front().friction)) +
-                       jammed_samples(*study.curve(largest, maxima.back().friction)));
+  s.n = std::to_string(ended_samples(*study.curve(largest, maxima.front().friction)) +
+                       ended_samples(*study.curve(largest, maxima.back().friction)));
   s.agreement = rise - reach > most ? Agreement::not_reproduced : positive(rise, reach);
   return s;
 }
@@ -322,7 +322,7 @@ Statement rises_and_falls(const Study& study) {
     if (parts.back() != Agreement::reproduced)
       append(text, fmt::format("α = {}, μ = {}: {}", curve.size_ratio(), curve.friction(),
                                parts.back() == Agreement::not_reproduced ? "no maximum" : "cannot be told"));
-    n += jammed_samples(curve);
+    n += ended_samples(curve);
   }
   if (parts.empty()) return s;
   s.ours = text.empty() ? fmt::format("each of {} curves", parts.size()) : text;

@@ -12,9 +12,9 @@ namespace furnas {
 
 /// What sweeps have found, in the order of the paper.
 struct Study {
-  std::vector<Point> mono;        ///< size ratio 1 with a jammed sample, friction ascending
+  std::vector<Point> mono;        ///< size ratio 1 with a jammed or settled sample, friction ascending
   std::vector<Curve> curves;      ///< larger size ratios, ascending, and for each its frictions, ascending
-  std::vector<Point> points;      ///< all of them, jammed or not
+  std::vector<Point> points;      ///< all of them, whatever their verdicts
   std::filesystem::path history;  ///< of a jammed sample of the largest size ratio and friction; empty if no
                                   ///< folder has one
 

@@ -21,7 +21,7 @@ constexpr const char* version_key = "version of furnas";
 constexpr const char* resting_states_key = "resting states: pressure phi step";
 constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
 constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
-constexpr const char* counts_key = "counts: replaced lists_built wall_seconds jammed";
+constexpr const char* counts_key = "counts: replaced lists_built wall_seconds ended";
 constexpr std::string_view event_key = "event: ";
 
 std::string rows_of(const std::vector<RestingState>& reached) {
@@ -36,6 +36,13 @@ std::string rows_of(const std::deque<RestWatch::Look>& window) {
     rows += fmt::format("{} {} {} {} {} {} {} {:d} {:d}\n", step, h.xx, h.yy, h.zz, h.yz, h.xz, h.xy, holds,
                         loosely);
   return rows;
+}
+
+/// How a run may have ended so that nothing is left to do, by the number that stands for it in a checkpoint.
+constexpr std::optional<Verdict> ends[] = {{}, Verdict::jammed, Verdict::settled};
+
+std::ptrdiff_t place_of(const std::optional<Verdict>& end) {
+  return std::find(std::begin(ends), std::end(ends), end) - std::begin(ends);
 }
 
 void require_saved(bool held, const char* key) {
@@ -79,7 +86,7 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
       {window_key, rows_of(c.watch.window)},
       {look_key, fmt::format("{} {} {} {}", c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance,
                              c.watch.kinetic_energy)},
-      {counts_key, fmt::format("{} {} {} {:d}", c.replaced, c.lists_built, c.wall_seconds, c.jammed)}};
+      {counts_key, fmt::format("{} {} {} {}", c.replaced, c.lists_built, c.wall_seconds, place_of(c.ended))}};
   for (const auto& [name, saved] : c.events) extras[std::string(event_key) + name] = saved;
   return extras;
 }
@@ -108,9 +115,12 @@ Continuation continuation_of(const Checkpoint& checkpoint) {
       Numbers(text_under(checkpoint, look_key))
           .take_all(watch.backbone, watch.stress_error, watch.force_imbalance, watch.kinetic_energy),
       look_key);
+  std::size_t ended{};
   require_saved(Numbers(text_under(checkpoint, counts_key))
-                    .take_all(c.replaced, c.lists_built, c.wall_seconds, c.jammed),
+                        .take_all(c.replaced, c.lists_built, c.wall_seconds, ended) &&
+                    ended < std::size(ends),
                 counts_key);
+  c.ended = ends[ended];
   for (const auto& [key, saved] : checkpoint.extras)
     if (key.starts_with(event_key)) c.events[key.substr(event_key.size())] = saved;
   return c;

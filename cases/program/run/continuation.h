@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ namespace furnas {
 
 /// What a stopped run hands to the process that goes on with it, besides its packing and its case.
 struct Continuation : RunState {
-  double wall_seconds{};  ///< of all its processes
-  bool jammed{};          ///< the verdict is found; nothing is left but to tell it
+  double wall_seconds{};         ///< of all its processes
+  std::optional<Verdict> ended;  ///< jammed or settled: nothing is left but to tell it
 };
 
 /// The continuation as it stands in a checkpoint, with the version of the program that wrote it.

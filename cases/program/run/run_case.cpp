@@ -33,6 +33,8 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
       if (c.stop.criterion == "paper")
         return "the kinetic energy is below its limit, which is all that was asked";
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
+    case Verdict::settled:
+      return "phi can change by less than stop.phi_error";
     case Verdict::diverged:
       break;
     case Verdict::interrupted:
@@ -83,7 +85,7 @@ class Run {
   std::unique_ptr<ProtocolRun> run_;
   Checkpoints checkpoints_;
   Progress* progress_ = nullptr;  ///< among the events of the run
-  bool jammed_;
+  std::optional<Verdict> ended_;
 };
 
 std::unique_ptr<ProtocolRun> protocol_run(const RunOrder& order) {
@@ -103,7 +105,7 @@ Run::Run(RunOrder order, Console console)
       first_step_(order_.start.step),
       run_(protocol_run(order_)),
       checkpoints_(folder_, order_.checkpoint, order_.checkpoint_seconds),
-      jammed_(order_.past.jammed) {
+      ended_(order_.past.ended) {
   order_.start = {};  // the simulation has its own; there is no room for both
 }
 
@@ -139,7 +141,7 @@ double Run::wall_seconds() const {
 }
 
 CheckpointView Run::whole() {
-  return {run_->now().packing(), case_text_, to_extras({run_->state(), wall_seconds(), jammed_})};
+  return {run_->now().packing(), case_text_, to_extras({run_->state(), wall_seconds(), ended_})};
 }
 
 Result Run::result_of(const Outcome& outcome) {
@@ -152,6 +154,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.rest = run_->watch().report();
   result.reason =
       outcome.fault.empty() ? reason_of(outcome.verdict, result.measures, result.rest, case_) : outcome.fault;
+  result.phi_bound = run_->phi_bound();
   result.quenches = run_->quenches();
   result.evaluations = run_->evaluations();
   result.flips = run_->flips();
@@ -181,10 +184,10 @@ void Run::write_files(const Packing& packing, const Outcome& outcome, const Resu
 ExitCode Run::go() {
   if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
   take_up();
-  const Outcome end = jammed_ ? Outcome{Verdict::jammed, {}} : run_->go(&requests_.attention);
+  const Outcome end = ended_ ? Outcome{*ended_, {}} : run_->go(&requests_.attention);
   progress_->finish();
   const bool moved = order_.checkpoint.empty() || run_->now().step() > first_step_;
-  jammed_ = end.verdict == Verdict::jammed;
+  if (end.verdict == Verdict::jammed || end.verdict == Verdict::settled) ended_ = end.verdict;
   if (end.is_sound && moved) checkpoints_.write(whole());
   const Result result = result_of(end);
   const Packing packing = run_->take_packing();  // what is written needs as much memory as the simulation had
@@ -209,6 +212,9 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
   Checkpoints::Found found = Checkpoints::find_newest(folder);
   order.past = continuation_of(found.checkpoint);
   order.resolved_case = case_to_go_on_with(folder, found.checkpoint, changes);
+  const double settled_within = parse_case(found.checkpoint.case_text, found.file).stop.phi_error;
+  if (order.past.ended == Verdict::settled && order.resolved_case.stop.phi_error != settled_within)
+    order.past.ended.reset();
   order.start = std::move(found.checkpoint.packing);
   order.checkpoint = found.file;
   order.checkpoint_seconds = found.seconds;
@@ -220,6 +226,7 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
 ExitCode exit_code_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::jammed:
+    case Verdict::settled:
       return ExitCode::done;
     case Verdict::budget:
       return ExitCode::budget_spent;
@@ -240,6 +247,10 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
                         c.contact.friction);
   else if (r.verdict == Verdict::diverged)
     text += "phi       none: the last good state is that of the checkpoint\n";
+  else if (r.verdict == Verdict::settled)
+    text += fmt::format(
+        "phi       {:.5f} +- {:.1e}, the bound of what may still come (no phi_J: it is not at rest)\n", m.phi,
+        r.phi_bound);
   else
     text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
   text +=

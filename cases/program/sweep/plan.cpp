@@ -206,7 +206,12 @@ SampleState state_of(const Sample& sample) {
           sample.folder.string(), version, build_info().version));
     const std::string verdict = result.value("verdict", "");
     const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
-    if (verdict == "jammed" || verdict == "diverged" || (verdict == "budget" && all_steps))
+    const Case::Stop& stop = sample.resolved_case.stop;
+    const auto bound = result.find("phi_bound");
+    const bool as_asked =
+        bound != result.end() && bound->is_number() && bound->get<double>() < stop.phi_error;
+    if (verdict == "jammed" || (verdict == "settled" && as_asked) || verdict == "diverged" ||
+        (verdict == "budget" && all_steps))
       return SampleState::finished;
   }
   return Checkpoints::none(sample.folder) ? SampleState::missing : SampleState::interrupted;

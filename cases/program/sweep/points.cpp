@@ -24,6 +24,7 @@ Point begin_point(const SampleRow& row) {
 void count_verdict(Point& point, const SampleRow& row) {
   ++point.samples;
   ++(row.jammed()                ? point.jammed
+     : row.settled()             ? point.settled
      : row.verdict == "budget"   ? point.budget
      : row.verdict == "diverged" ? point.diverged
      : row.verdict == "failed"   ? point.failed
@@ -37,11 +38,13 @@ std::optional<MeanInterval> mean_of(const std::vector<double>& samples) {
   return mean_interval(samples);
 }
 
-void take_means(Point& point, const std::vector<const SampleRow*>& jammed) {
+void take_means(Point& point, const std::vector<const SampleRow*>& ended) {
+  double bounds = 0;  // of those that are settled
   std::vector<double> Z;
   std::array<std::vector<double>, 3> large, small;
-  for (const SampleRow* row : jammed) {
-    point.phi_J.push_back(row->phi_J);
+  for (const SampleRow* row : ended) {
+    point.phi_J.push_back(row->density());
+    if (row->settled()) bounds += row->phi_bound;
     Z.push_back(row->Z_backbone);
     point.effective_size += row->backbone;
     for (std::size_t n = 0; n < 3; ++n) {
@@ -52,6 +55,7 @@ void take_means(Point& point, const std::vector<const SampleRow*>& jammed) {
     }
   }
   point.mean_phi_J = mean_of(point.phi_J);
+  if (point.mean_phi_J) point.mean_phi_J->half_width += bounds / static_cast<double>(ended.size());
   point.mean_Z_backbone = mean_of(Z);
   for (std::size_t n = 0; n < 3; ++n) {
     point.large_rattlers[n] = mean_of(large[n]);
@@ -72,24 +76,24 @@ void add_mean(std::vector<std::string>& cells, const std::optional<MeanInterval>
 std::vector<Point> points_of(const SampleTable& table) {
   std::vector<Point> points;
   std::map<std::vector<std::string>, std::size_t> place;
-  std::vector<std::vector<const SampleRow*>> jammed;
+  std::vector<std::vector<const SampleRow*>> ended;
   for (const SampleRow& row : table.rows) {
     const auto [found, fresh] = place.emplace(row.values, points.size());
     if (fresh) {
       points.push_back(begin_point(row));
-      jammed.emplace_back();
+      ended.emplace_back();
     }
     count_verdict(points[found->second], row);
-    if (row.jammed()) jammed[found->second].push_back(&row);
+    if (row.jammed() || row.settled()) ended[found->second].push_back(&row);
   }
-  for (std::size_t k = 0; k < points.size(); ++k) take_means(points[k], jammed[k]);
+  for (std::size_t k = 0; k < points.size(); ++k) take_means(points[k], ended[k]);
   return points;
 }
 
 std::string csv(const std::vector<Point>& points, const std::vector<std::string>& keys) {
   std::vector<std::string> names = keys;
-  names.insert(names.end(), {"large", "small", "samples", "jammed", "jammed_share", "budget", "diverged",
-                             "failed", "unfinished", "effective_size"});
+  names.insert(names.end(), {"large", "small", "samples", "jammed", "settled", "jammed_share", "budget",
+                             "diverged", "failed", "unfinished", "effective_size"});
   for (const char* name : {"phi_J", "Z_backbone", "large_rattlers_2", "large_rattlers_3", "large_rattlers_4",
                            "small_rattlers_2", "small_rattlers_3", "small_rattlers_4"}) {
     names.emplace_back(name);
@@ -99,7 +103,7 @@ std::string csv(const std::vector<Point>& points, const std::vector<std::string>
   for (const Point& p : points) {
     std::vector<std::string> cells = p.values;
     for (const std::int64_t n : {p.large, p.small}) cells.push_back(std::to_string(n));
-    for (const std::size_t n : {p.samples, p.jammed}) cells.push_back(std::to_string(n));
+    for (const std::size_t n : {p.samples, p.jammed, p.settled}) cells.push_back(std::to_string(n));
     cells.push_back(fmt::format("{:.3g}", static_cast<double>(p.jammed) / static_cast<double>(p.samples)));
     for (const std::size_t n : {p.budget, p.diverged, p.failed, p.unfinished})
       cells.push_back(std::to_string(n));

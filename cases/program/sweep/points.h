@@ -10,7 +10,8 @@
 
 namespace furnas {
 
-/// What the samples with the same values of the keys say together. Means are those of the jammed ones.
+/// What the samples with the same values of the keys say together. Means are those of the jammed ones,
+/// and of settled ones, whose phi stands for phi_J: its interval is wider by the mean of their bounds.
 struct Point {
   std::vector<std::string> values;  ///< of the keys
   double size_ratio = 1;            ///< alpha
@@ -18,11 +19,11 @@ struct Point {
   double friction{};                ///< mu
   std::int64_t large{}, small{};    ///< particles of each species in a sample
   std::size_t samples{};
-  std::size_t jammed{}, budget{}, diverged{}, failed{}, unfinished{};  ///< samples of each verdict
-  std::vector<double> phi_J;                                           ///< of the jammed ones
-  std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;             ///< none without a jammed sample
+  std::size_t jammed{}, settled{}, budget{}, diverged{}, failed{}, unfinished{};  ///< samples of each verdict
+  std::vector<double> phi_J;                                ///< of the jammed and settled ones
+  std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;  ///< none without such a sample
   std::array<std::optional<MeanInterval>, 3> large_rattlers, small_rattlers;  ///< shares, with z_min 2, 3, 4
-  /// Backbone spheres of all jammed samples together: what the mean rests on. Where the small spheres rattle
+  /// Backbone spheres of all these samples together: what the mean rests on. Where the small spheres rattle
   /// only the large ones count.
   double effective_size{};
 };
@@ -41,7 +42,7 @@ struct Curve {
   double friction() const { return points.front().friction; }
 };
 
-/// The points that share all but their small_fraction; those without a jammed sample are left out.
+/// The points that share all but their small_fraction; those without a jammed or settled sample are left out.
 std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector<std::string>& keys);
 
 /// Where a curve is highest.

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Columns after the keys.
+/// Columns after the keys. Tables of older versions lack the last one.
 const std::vector<std::string> columns{"seed",
                                        "large",
                                        "small",
@@ -40,7 +40,8 @@ const std::vector<std::string> columns{"seed",
                                        "small_rattlers_4",
                                        "steps",
                                        "wall_seconds",
-                                       "state_hash"};
+                                       "state_hash",
+                                       "phi_bound"};
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : unknown; }
 
@@ -61,7 +62,7 @@ SampleRow row_of_case(const Sample& sample) {
   row.small_fraction = c.mixture.small_fraction;
   row.friction = c.contact.friction;
   row.seed = c.mixture.seed;
-  row.phi_J = row.phi = row.Z = row.Z_backbone = row.backbone = unknown;
+  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = unknown;
   return row;
 }
 
@@ -82,6 +83,7 @@ void take_result(SampleRow& row, const Json& r) {
     row.small_rattlers.at(n) = count.at("small");
     if (least == threshold) row.backbone = number(count.at("backbone"));
   }
+  if (row.settled()) row.phi_bound = number(r.at("phi_bound"));
   row.steps = r.at("steps");
   row.wall_seconds = r.at("wall_seconds");
   row.state_hash = r.at("state_hash");
@@ -96,7 +98,7 @@ SampleRow row_of(const Sample& sample) {
       throw InputError(fmt::format("{}: {}", (sample.folder / "result.json").string(), error.what()));
     }
   if (state == SampleState::finished) return row;
-  row.phi_J = unknown;
+  row.phi_J = row.phi_bound = unknown;
   const std::string said = last_line(sample.log());
   const std::string complaint = "furnas: ";
   row.verdict = said.starts_with(complaint) ? "failed" : "unfinished";
@@ -112,6 +114,7 @@ class Cells {
   Cells(std::vector<std::string> cells, std::string place)
       : cells_(std::move(cells)), place_(std::move(place)) {}
   std::string text() { return cells_.at(next_++); }
+  bool left() const { return next_ < cells_.size(); }
   template <class Number>
   Number number() {
     const std::string text = this->text();
@@ -153,6 +156,7 @@ SampleRow row_in(Cells cells, const SampleTable& table) {
   row.steps = cells.number<std::int64_t>();
   row.wall_seconds = cells.number<double>();
   row.state_hash = cells.text();
+  row.phi_bound = cells.left() ? cells.number<double>() : unknown;
   return row;
 }
 
@@ -175,7 +179,8 @@ std::string csv(const SampleTable& table) {
     for (const double x : {r.phi_J, r.phi, r.Z, r.Z_backbone, r.backbone}) cells.push_back(cell(x));
     for (const std::int64_t n : r.large_rattlers) cells.push_back(std::to_string(n));
     for (const std::int64_t n : r.small_rattlers) cells.push_back(std::to_string(n));
-    cells.insert(cells.end(), {std::to_string(r.steps), cell(r.wall_seconds), r.state_hash});
+    cells.insert(cells.end(),
+                 {std::to_string(r.steps), cell(r.wall_seconds), r.state_hash, cell(r.phi_bound)});
     text.row(cells);
   }
   return text.csv();
@@ -187,11 +192,12 @@ SampleTable read_sample_table(const fs::path& folder) {
   if (!file) throw InputError(path.string() + " cannot be read; allowed: the folder of a sweep");
   SampleTable table;
   read_csv_row(file, table.keys);
-  if (table.keys.size() < columns.size() ||
-      !std::equal(columns.begin(), columns.end(), table.keys.end() - static_cast<long>(columns.size())))
-    throw InputError(path.string() + ":1: other columns than furnas sweep writes");
   const std::size_t width = table.keys.size();
-  table.keys.resize(width - columns.size());
+  const std::size_t ours = columns.size() - (width > 0 && table.keys.back() != columns.back() ? 1 : 0);
+  if (width < ours || !std::equal(columns.begin(), columns.begin() + static_cast<long>(ours),
+                                  table.keys.end() - static_cast<long>(ours)))
+    throw InputError(path.string() + ":1: other columns than furnas sweep writes");
+  table.keys.resize(width - ours);
   std::vector<std::string> cells;
   for (int number = 2; read_csv_row(file, cells); ++number) {
     const std::string place = fmt::format("{}:{}", path.string(), number);

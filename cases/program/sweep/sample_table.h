@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,16 @@ struct SampleRow {
   double Z_backbone;  ///< the same of the backbone
   double backbone;    ///< particles in the backbone
   std::array<std::int64_t, 3> large_rattlers{}, small_rattlers{};  ///< with z_min 2, 3, 4
+  double phi_bound =
+      std::numeric_limits<double>::quiet_NaN();  ///< of a settled one, on what phi may still change; NaN else
   std::int64_t steps{};
   double wall_seconds{};
   std::string state_hash;
 
   bool jammed() const { return verdict == "jammed"; }
+  bool settled() const { return verdict == "settled"; }
+  /// phi_J, or phi of a settled one; NaN of all others.
+  double density() const { return settled() ? phi : phi_J; }
 };
 
 /// The samples of a sweep, a row each.

@@ -146,11 +146,12 @@ class Sweep {
 
   void summarize() const {
     const SampleTable table = table_of(samples_, keys_);
-    Table text({"point", "samples", "jammed", "phi_J", "+-", "Z", "effective size"});
+    Table text({"point", "samples", "jammed", "settled", "phi_J", "+-", "Z", "effective size"});
     for (const Point& p : points_of(table)) {
       const auto& phi = p.mean_phi_J;
       text.row({fmt::format("{}", fmt::join(p.values, " ")), std::to_string(p.samples),
-                std::to_string(p.jammed), phi ? fmt::format("{:.5f}", phi->mean) : "-",
+                std::to_string(p.jammed), std::to_string(p.settled),
+                phi ? fmt::format("{:.5f}", phi->mean) : "-",
                 phi && phi->samples > 1 ? fmt::format("{:.5f}", phi->half_width) : "-",
                 p.mean_Z_backbone ? fmt::format("{:.3f}", p.mean_Z_backbone->mean) : "-",
                 fmt::format("{:.0f}", p.effective_size)});
@@ -163,7 +164,10 @@ class Sweep {
                                     curve.size_ratio(), curve.friction(), m->f_max, m->f_max_low,
                                     m->f_max_high, m->phi_max.mean);
     for (const SampleRow& row : table.rows)
-      if (!row.jammed())
+      if (row.settled())
+        console_.out << fmt::format("{} seed {}: settled, phi {:.5f} +- {:.1e}\n", fmt::join(row.values, " "),
+                                    row.seed, row.phi, row.phi_bound);
+      else if (!row.jammed())
         console_.out << fmt::format("{} seed {}: {}{}\n", fmt::join(row.values, " "), row.seed, row.verdict,
                                     row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
     console_.out << fmt::format("files  {}: {} points.csv maxima.csv\n", order_.folder.string(),

@@ -26,7 +26,7 @@ Continuation example() {
   c.replaced = 9;
   c.lists_built = 11;
   c.wall_seconds = 1.25;
-  c.jammed = true;
+  c.ended = Verdict::settled;
   return c;
 }
 
@@ -56,7 +56,7 @@ TEST(ReliableContinuation, KeepsEveryBit) {
   EXPECT_EQ(b.replaced, 9);
   EXPECT_EQ(b.lists_built, 11);
   EXPECT_EQ(b.wall_seconds, 1.25);
-  EXPECT_TRUE(b.jammed);
+  EXPECT_EQ(b.ended, Verdict::settled);
 }
 
 TEST(ReliableContinuation, MustBeWhole) {

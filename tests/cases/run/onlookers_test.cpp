@@ -47,7 +47,7 @@ Names events_of(const Case& c, bool walltime = false) {
 TEST(Onlookers, TakeTheirTurnsAmongTheEventsOfTheProtocol) {
   Case c;
   EXPECT_EQ(events_of(c), (Names{"monitor", "flip", "renew the order", "history", "next pressure", "at rest",
-                                 "quench", "progress", "checkpoint", "budget", "interrupted"}));
+                                 "quench", "settle", "progress", "checkpoint", "budget", "interrupted"}));
   c.output.snapshot_every = 10;
   c.stop.criterion = "paper";
   EXPECT_EQ(events_of(c, true),

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "cases/program/sweep/refinement.h"
 #include "engine/base/require.h"
 #include "engine/statistics/furnas_model.h"
@@ -96,7 +98,35 @@ TEST(Points, AreMeansOfTheJammed) {
   EXPECT_DOUBLE_EQ(p.large_rattlers[2]->mean, 0.03);
   EXPECT_FALSE(points[1].small_rattlers[1]) << "there are no small spheres";
   const std::string text = csv(points, table.keys);
-  EXPECT_THAT(text, HasSubstr("5.0,0.3,0.1,100,1000,3,2,0.667,1,0,0,0,180,0.71,"));
+  EXPECT_THAT(text, HasSubstr("5.0,0.3,0.1,100,1000,3,2,0,0.667,1,0,0,0,180,0.71,"));
+}
+
+TEST(Points, SettledSamplesWidenTheIntervalByTheirBounds) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 1, 0.7), spent_row("5.0", "0.3", "0.1", 2)};
+  SampleRow& settled = table.rows[1];
+  settled.verdict = "settled";
+  settled.phi = 0.72;
+  settled.phi_bound = 1e-3;
+  settled.Z_backbone = settled.backbone = 5;
+  const Point p = points_of(table).front();
+  EXPECT_EQ(p.jammed, 1u);
+  EXPECT_EQ(p.settled, 1u);
+  EXPECT_DOUBLE_EQ(p.mean_phi_J->mean, 0.71);
+  EXPECT_NEAR(p.mean_phi_J->half_width, 12.7062 * 0.01 + 1e-3 / 2, 1e-5);
+}
+
+// Before there were settled samples a table had no column for their bound.
+TEST(SampleTable, ReadsThoseOfOlderVersions) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 1, 0.7)};
+  const std::string text = csv(table);
+  std::string older;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) older += line.substr(0, line.rfind(',')) + "\n";
+  const TemporaryFolder folder;
+  write_file(folder / sample_table_name, older);
+  EXPECT_EQ(csv(read_sample_table(folder / "")), text);
 }
 
 TEST(Points, WithoutAJammedSampleHaveNoMean) {

@@ -41,6 +41,7 @@ TEST(Measure, ReadsOffTwoSpheres) {
   EXPECT_EQ(m.coordination, 1);
   EXPECT_NEAR(m.mean_force, std::sqrt(26.0), rounding);
   EXPECT_EQ(m.largest_overlap, 1);  // of the smaller radius
+  EXPECT_NEAR(m.unloading_strain, 0.5, rounding);
   EXPECT_EQ(m.sliding_share, 0);
 }
 

@@ -1,0 +1,103 @@
+#include "engine/events/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/base/numbers.h"
+#include "engine/base/require.h"
+
+namespace furnas {
+namespace {
+
+PhiRecord::Span joined(const PhiRecord::Span& a, const PhiRecord::Span& b) {
+  return {a.looks + b.looks, std::max(a.end, b.end), std::min(a.low, b.low), std::max(a.high, b.high),
+          std::max(a.stress_error, b.stress_error)};
+}
+
+/// How far phi would move if the stress took the value of the bath.
+double change_by_stress(const Measures& m, double stress_error) {
+  constexpr double softer = 3;  // than if all contacts followed the cell's strain
+  return softer * 3 * m.phi * m.unloading_strain * stress_error;
+}
+
+}  // namespace
+
+void PhiRecord::add(std::int64_t step, double phi, double stress_error) {
+  const Span look{1, step, phi, phi, stress_error};
+  if (!spans_.empty() && spans_.back().looks < spans_.front().looks) {
+    spans_.back() = joined(spans_.back(), look);
+    return;
+  }
+  if (spans_.size() == most_spans) {
+    for (std::size_t k = 0; k < most_spans / 2; ++k) spans_[k] = joined(spans_[2 * k], spans_[2 * k + 1]);
+    spans_.resize(most_spans / 2);
+  }
+  spans_.push_back(look);
+}
+
+PhiRecord::Span PhiRecord::since(std::int64_t step) const {
+  require(!empty(), "a record of phi is asked for what it has seen");
+  Span all = spans_.back();
+  for (const Span& span : spans_)
+    if (span.end > step) all = joined(all, span);
+  return all;
+}
+
+void Settle::record(const Observation& now, const RestReport& r, double phi) {
+  constexpr double carries = 0.1, has_lost_it = 0.5;  // deviation of the stress from the bath's, over p_a
+  if (past_.empty()) {
+    if (r.backbone == 0 || !(r.stress_error < carries)) return;
+    loaded_at_ = now.step();
+  } else if (r.backbone == 0 || r.stress_error > has_lost_it) {
+    past_.clear();
+    return;
+  }
+  past_.add(now.step(), phi, r.stress_error);
+}
+
+bool Settle::is_near_rest(const RestReport& r) const {
+  constexpr double of_stress = 10, of_balance = 100, of_energy = 100;  // times the limits
+  const RestCriteria& c = watch_.criteria();
+  return r.backbone > 0 && r.stress_error < of_stress * c.stress_error &&
+         r.force_imbalance < of_balance * c.force_imbalance &&
+         r.kinetic_energy < of_energy * c.kinetic_energy;
+}
+
+bool Settle::due(Observation& now) {
+  constexpr double doublings = 5;
+  const RestReport& r = watch_.look(now);
+  const Measures& m = now.measures();
+  record(now, r, m.phi);
+  if (now.step() % watch_.window_length() != 0) return false;
+  const std::int64_t age = now.step() - loaded_at_;
+  bound_ = RestReport::unknown;
+  if (past_.empty() || age < least_age_ || !is_near_rest(r) || !quench_.steady()) return false;
+  const PhiRecord::Span late = past_.since(now.step() - age / 2);
+  bound_ = doublings * (late.high - late.low) + change_by_stress(m, late.stress_error);
+  return bound_ < watch_.criteria().phi_error;
+}
+
+std::string Settle::saved() {
+  std::string text = exact_text(loaded_at_, bound_);
+  for (const PhiRecord::Span& s : past_.spans())
+    text.append(1, ' ').append(exact_text(s.looks, s.end, s.low, s.high, s.stress_error));
+  return text;
+}
+
+void Settle::restore(const std::string& saved) {
+  if (saved.empty()) return;
+  Numbers numbers(saved);
+  bool read = numbers.take(loaded_at_, bound_) && loaded_at_ >= 0 && bound_ >= 0;
+  std::vector<PhiRecord::Span> spans;
+  for (PhiRecord::Span s; read && numbers.more(); spans.push_back(s))
+    read = numbers.take(s.looks, s.end, s.low, s.high, s.stress_error) && s.looks > 0 && s.low <= s.high;
+  if (!read)
+    throw InputError(
+        "a run remembers \"" + saved +
+        "\" where it must remember a step, a bound, and spans of looks with a step, two fractions and an "
+        "error of the stress");
+  past_.restore(std::move(spans));
+}
+
+}  // namespace furnas
