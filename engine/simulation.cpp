@@ -221,6 +221,7 @@ template <class Numerics>
 void SimulationOf<Numerics>::set_motion(std::span<const Vec3<double>> velocity,
                                         std::span<const Vec3<double>> spin, const Triangle& rate) {
   require(velocity.size() == count_ && spin.size() == count_, "a velocity and a spin for each particle");
+  state_.contact_state.wake_all();
   std::vector<std::uint32_t> place(count_);
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const auto kinetic = [&](std::uint32_t n) {

@@ -241,16 +241,16 @@ Case read_case(const std::filesystem::path& file, std::span<const std::string> o
 
 void apply_override(Case& c, std::string_view assignment) {
   const auto [path, value] = split_assignment(assignment);
+  const Key* const key = find_key(path);
   const auto dot = path.find('.');
-  const bool in_table = path != preset_key;
-  const std::string table = in_table ? path.substr(0, dot) : "";
-  const std::string name = !in_table ? path : dot == std::string::npos ? "" : path.substr(dot + 1);
-  if (name.empty() || value.empty())
+  const bool may_be_key = key != nullptr || (dot != std::string::npos && dot + 1 < path.size());
+  if (!may_be_key || value.empty())
     throw InputError(
         fmt::format("{}: {} is not an assignment; allowed: table.key=value, e.g. contact.friction=0.3",
                     override_place, assignment));
-  const Key* key = find_key(table, name);
-  if (key == nullptr) refuse_unknown_key(table, name, *toml::table{{"v", value}}.get("v"), override_place);
+  if (key == nullptr)
+    refuse_unknown_key(path.substr(0, dot), path.substr(dot + 1), *toml::table{{"v", value}}.get("v"),
+                       override_place);
   assign(*key, *parse_value(*key, value).get("value"), c, override_place);
   give_up_rival(*key, c);
 }

@@ -256,4 +256,10 @@ const Key* find_key(std::string_view table, std::string_view name) {
   return nullptr;
 }
 
+const Key* find_key(std::string_view path) {
+  for (const Key& key : case_keys())
+    if (key.path() == path) return &key;
+  return nullptr;
+}
+
 }  // namespace furnas

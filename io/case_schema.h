@@ -56,7 +56,8 @@ std::vector<std::string_view> case_tables();
 /// Whether a run gives the same packing, step by step, whatever the key's value: it may go on with another.
 bool changes_no_bit(const Key& key);
 
-/// The key with this table and name, or nullptr.
+/// The key with this table and name, or with this path, like "contact.friction" or "preset"; or nullptr.
 const Key* find_key(std::string_view table, std::string_view name);
+const Key* find_key(std::string_view path);
 
 }  // namespace furnas

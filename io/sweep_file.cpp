@@ -30,7 +30,7 @@ const Key& key_of(std::string_view path, const toml::node& node, const std::stri
         fmt::format("{}: sweep.\"mixture.seed\" = {}; allowed: samples = n, which takes the seeds "
                     "from mixture.seed on",
                     place, node_text(node)));
-  if (const Key* key = find_key(table, name)) return *key;
+  if (const Key* key = find_key(path); key != nullptr && !key->table.empty()) return *key;
   const std::string nearest = nearest_key(table, name);
   throw InputError(
       fmt::format("{}: unknown key sweep.\"{}\" = {}; allowed: samples, and keys of the case in "

@@ -82,13 +82,9 @@ std::string refusal_of_memory(double particles, const MemoryLimit& limit, const 
                      limit.bytes / 1e9, smaller(particles, limit, c));
 }
 
-/// Time step over t_c.
-double relative_step(const Case& c, double smallest) {
-  const Protocol protocol = protocol_of(c);
-  return time_step_of(protocol, smallest) / time_unit_of(protocol);
+double steps_of_window(const Case& c, double smallest) {
+  return c.stop.window / relative_time_step(protocol_of(c), smallest);
 }
-
-double steps_of_window(const Case& c, double smallest) { return c.stop.window / relative_step(c, smallest); }
 
 /// What chose the time step.
 std::string choice_of_step(const Case& c) {
@@ -160,7 +156,8 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double dt = time_step_of(protocol_of(c), n.small);
   out.report += fmt::format(
       "time step {:.6g}, {:.3g} t_c ({}), {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n", dt,
-      relative_step(c, n.small), choice_of_step(c), dt * pair_frequency(law, pair_of(n.small, n.small)));
+      relative_time_step(protocol_of(c), n.small), choice_of_step(c),
+      dt * pair_frequency(law, pair_of(n.small, n.small)));
   out.report += pairs_report(n, law);
 
   const double dense = 0.64;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstring>
 
 #include "engine/kernels/groups.h"
@@ -7,11 +8,25 @@
 
 namespace furnas::HWY_NAMESPACE {
 
-/// Whether all of some bytes are 0.
+/// Whether none of some particles has a load.
 template <std::size_t count>
-HWY_INLINE bool is_nothing(const std::uint8_t* bytes) {
-  static constexpr std::uint8_t nothing[count]{};
-  return std::memcmp(bytes, nothing, count) == 0;
+HWY_INLINE bool none_has_load(const std::uint8_t* marks) {
+  std::uint64_t words[(count + 7) / 8]{};
+  std::memcpy(words, marks, count);
+  std::uint64_t any = 0;
+  for (const std::uint64_t word : words) any |= word;
+  return (any & has_load * 0x0101010101010101) == 0;
+}
+
+/// Whether all of some particles sleep.
+template <std::size_t count>
+HWY_INLINE bool all_sleep(const std::uint8_t* marks) {
+  static constexpr auto asleep = [] {
+    std::array<std::uint8_t, count> all{};
+    all.fill(sleeps);
+    return all;
+  }();
+  return std::memcmp(marks, asleep.data(), count) == 0;
 }
 
 /// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDragStep holds it.
@@ -65,6 +80,14 @@ struct Moving {
     }
   }
 
+  /// Whether none of them has a velocity, to the bit: -0 is one, because a kick of nothing makes it 0.
+  HWY_INLINE bool rest() const {
+    const Tag<hwy::MakeUnsigned<Real>> bits;
+    const auto of = [&](const R& v) { return hn::BitCast(bits, v.v); };
+    const auto any = hn::Or(hn::Or(of(velocity.x), of(velocity.y)), of(velocity.z));
+    return hn::AllTrue(bits, hn::Eq(any, hn::Zero(bits)));
+  }
+
   HWY_INLINE void store(Particle<Real, S::spins>* particles, std::size_t count) const {
     const std::size_t all = whole ? R::count : count;
     store_groups<Real>({velocity.x, velocity.y, velocity.z, inverse_mass}, all,
@@ -93,9 +116,11 @@ class DriftKernel {
 
   double operator()(std::size_t begin, std::size_t end) {
     D largest;
-    for (; begin + lanes <= end; begin += lanes)
-      is_nothing<lanes>(loop_.loaded + begin) ? take_on<true, true>(begin, lanes, largest)
-                                              : take_on<true, false>(begin, lanes, largest);
+    for (; begin + lanes <= end; begin += lanes) {
+      if (all_sleep<lanes>(loop_.loaded + begin)) continue;
+      none_has_load<lanes>(loop_.loaded + begin) ? take_on<true, true>(begin, lanes, largest)
+                                                 : take_on<true, false>(begin, lanes, largest);
+    }
     if (begin < end) take_on<false, false>(begin, end - begin, largest);
     double squares[D::count];
     largest.to(squares);

@@ -15,11 +15,14 @@ class GatherKernel {
     Vec3<R> diagonal[parts], shear[parts];
     for (std::size_t i = begin; i < end; i += batch) {
       const std::size_t stop = end - i < batch ? end : i + batch;
+      if (i + batch == stop && all_sleep<batch>(loop_.loaded + i)) continue;
       if (stop + 3 * batch <= end) fetch_to_write(loop_.particles + stop + 2 * batch, batch);
       // Most particles of a gas, and of the rattlers of a packing, touch nothing.
-      if (i + batch == stop && is_nothing<batch>(loop_.loaded + i)) {
+      if (i + batch == stop && none_has_load<batch>(loop_.loaded + i)) {
+        bool rest = true;
         for (std::size_t part = 0; part < parts; ++part)
-          kick<true, true>(i + part * lanes, lanes, diagonal[part], shear[part]);
+          rest &= kick<true, true>(i + part * lanes, lanes, diagonal[part], shear[part]);
+        if (rest) std::memset(loop_.loaded + i, sleeps, batch);
         continue;
       }
       fetch(loop_.incoming_first[stop]);
@@ -81,7 +84,7 @@ class GatherKernel {
 
   HWY_INLINE void sum_rows(std::size_t i) const {
     const bool touches = loop_.contacts[i].load(std::memory_order_relaxed) != 0;
-    loop_.loaded[i] = touches;
+    loop_.loaded[i] = touches ? has_load : no_load;
     if (!touches) {
       loop_.loads[i] = {};
       return;
@@ -110,9 +113,10 @@ class GatherKernel {
     for (std::size_t r = 0; r < registers; ++r) hn::StoreU(sum[r], d, &loop_.loads[i].force.x + r * width);
   }
 
-  /// Half a kick of some particles, the cell's drag, and their part of the sums.
+  /// Half a kick of some particles, the cell's drag, and their part of the sums. Answers whether all rest
+  /// now.
   template <bool whole, bool free>
-  HWY_INLINE void kick(std::size_t at, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
+  HWY_INLINE bool kick(std::size_t at, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
     Moving<S, whole, free> m(loop_.particles + at, count);
     m.kick(loop_.loads + at, count, R(0.5 * loop_.time_step));
     m.velocity = drag_(m.velocity);
@@ -130,6 +134,7 @@ class GatherKernel {
     }
     diagonal += d;
     shear += s;
+    return m.rest();
   }
 
   static Vec3<double> over_places(const Vec3<R>* sums) {

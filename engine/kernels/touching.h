@@ -242,7 +242,7 @@ class TouchingRows {
     const std::uint32_t more = touches != 0 ? 1 : ~std::uint32_t{0};
     for (const std::uint64_t k : {i, j}) {
       loop_.contacts[k].fetch_add(more, std::memory_order_relaxed);
-      std::atomic_ref(loop_.loaded[k]).store(1, std::memory_order_relaxed);
+      std::atomic_ref(loop_.loaded[k]).store(has_load, std::memory_order_relaxed);
     }
     loop_.touching[row] = touches;
   }

@@ -56,6 +56,10 @@ double time_step_of(const Protocol& p, double smallest) {
   return std::min({of_collision, limit, largest_stable_step_among(law, pair, neighbours)});
 }
 
+double relative_time_step(const Protocol& p, double smallest) {
+  return time_step_of(p, smallest) / time_unit_of(p);
+}
+
 double smallest_diameter(const Packing& p) { return 2 * *std::min_element(p.radius.begin(), p.radius.end()); }
 
 double cell_inertia(double beta, double mass, double sphere_volume) {

@@ -55,6 +55,9 @@ double time_unit_of(const Protocol& protocol);
 /// at most the step that is stable for a sphere that sticks to eight others of its size (docs/decisions.md).
 double time_step_of(const Protocol& protocol, double smallest = 1);
 
+/// The same in units of t_c.
+double relative_time_step(const Protocol& protocol, double smallest = 1);
+
 /// Diameter of the smallest sphere [d_s].
 double smallest_diameter(const Packing& packing);
 

@@ -13,7 +13,7 @@ namespace furnas {
 namespace {
 
 Rhythm rhythm_of(const Protocol& protocol, const Packing& start) {
-  return Rhythm(time_step_of(protocol, smallest_diameter(start)) / time_unit_of(protocol));
+  return Rhythm(relative_time_step(protocol, smallest_diameter(start)));
 }
 
 template <class E>

@@ -77,6 +77,13 @@ struct Row<Real, true> {
   Real minus_arm_j;   ///< lever arm of j, with a minus [d_s]
 };
 
+/// Which particles the passes over particles may take lightly.
+enum LoadMark : std::uint8_t {
+  no_load,   ///< it touches nothing and its load is zero
+  has_load,  ///< it may touch something
+  sleeps     ///< no load and no velocity: no pass changes a bit of it until it is touched
+};
+
 /// How many contacts a particle has. Several threads may count at once.
 using ContactCount = std::atomic<std::uint32_t>;
 

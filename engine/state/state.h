@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -25,15 +26,18 @@ struct ContactState {
   std::vector<Spring<Real>> springs;   ///< one a pair; zero while it does not touch; empty without friction
   std::vector<std::uint8_t> touching;  ///< one a pair: 1 if it touched in the last step
   std::vector<ContactCount> contacts;  ///< one a particle: pairs of its that touched in the last step
-  std::vector<std::uint8_t> loaded;    ///< one a particle: 0 only if it touches nothing and its load is zero
+  std::vector<std::uint8_t> loaded;    ///< one a particle: its LoadMark
 
   /// The state of pairs that have never touched.
   void clear(std::size_t pairs, std::size_t particles, bool friction) {
     springs.assign(friction ? pairs : 0, {});
     touching.assign(pairs, 0);
     contacts = std::vector<ContactCount>(particles);
-    loaded.assign(particles, 1);
+    loaded.assign(particles, has_load);
   }
+
+  /// Wakes the particles that sleep, because their velocities are about to change.
+  void wake_all() { std::replace(loaded.begin(), loaded.end(), std::uint8_t{sleeps}, std::uint8_t{no_load}); }
 
   /// Notes that row `k`, of particles i and j, touches.
   void touch(std::uint64_t k, std::uint32_t i, std::uint32_t j) {

@@ -69,7 +69,7 @@ Ensemble ensemble_of(const Arm& arm) {
   Ensemble e;
   const Protocol protocol =
       protocol_of(read_case(fs::path(FURNAS_SOURCE_DIR) / "cases" / (arm.template_case + ".toml"), arm.set));
-  e.time_step = time_step_of(protocol) / time_unit_of(protocol);
+  e.time_step = relative_time_step(protocol);
   for (int seed = 1; seed <= arm.samples; ++seed) {
     const Json r = sample(arm, seed);
     if (r.contains("energy"))

@@ -48,7 +48,7 @@ std::string name_in(const std::string& key) { return key.substr(key.find('.') + 
 
 /// A value as it may stand in the name of a folder and in a table.
 std::string value_in(const Case& c, const std::string& key) {
-  std::string value = value_text(*find_key(key.substr(0, key.find('.')), name_in(key)), c);
+  std::string value = value_text(*find_key(key), c);
   std::erase_if(value, [](char letter) { return letter == '"' || letter == '\'' || letter == ' '; });
   std::replace(value.begin(), value.end(), '/', '_');
   return without_commas(value);

@@ -26,6 +26,7 @@ class Driven {
   using Push = std::function<Vec3<double>(std::size_t k, const Vec3<double>& position, double time)>;
 
   /// Particles are in the order of memory, larger ones first; of contacts, i > j, the histories count.
+  /// Without a push particles may sleep, as those of the engine do.
   Driven(const Model& model, const Packing& start, Push push) : model_(model), push_(std::move(push)) {
     state_.cell = start.cell;
     for (std::size_t k = 0; k < start.size(); ++k) {
@@ -86,10 +87,10 @@ class Driven {
                       state_.rows, state_.contact_state, every_row_, state_.stress.contacts, work_);
     gather_and_kick<S>(model_.barostat, time_step, state_.cell, state_.pairs, state_.rows,
                        state_.contact_state, state_.loads, state_.particles, state_.stress.motion);
-    for (std::size_t k = 0; k < state_.particles.size(); ++k) {
+    for (std::size_t k = 0; push_ && k < state_.particles.size(); ++k) {
       const Vec3<double> force = push_(k, position(k), time());
       state_.loads[k].force += force;
-      state_.contact_state.loaded[k] = 1;
+      state_.contact_state.loaded[k] = has_load;
       auto& p = state_.particles[k];
       p.velocity += (0.5 * time_step * p.inverse_mass) * force;
     }
