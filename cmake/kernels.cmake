@@ -1,9 +1,12 @@
 # The kernels, once for each instruction set. They are optimized in every build: without optimization functions of
 # the standard library would be compiled for the wrong processor and could take the place of the ordinary ones.
+# With a sanitizer the compiler takes an hour for them at -O2 and minutes at -O1.
+set(FURNAS_KERNELS_OPTIMIZATION -O2 CACHE STRING "Optimization of the kernels")
+
 function(furnas_kernels set)
   add_library(furnas_kernels_${set} OBJECT ${PROJECT_SOURCE_DIR}/engine/kernels/all_kernels.cpp)
   target_compile_definitions(furnas_kernels_${set} PRIVATE FURNAS_KERNELS=kernels_for_${set})
-  target_compile_options(furnas_kernels_${set} PRIVATE -O2 -fno-tree-vectorize ${ARGN}
+  target_compile_options(furnas_kernels_${set} PRIVATE ${FURNAS_KERNELS_OPTIMIZATION} -fno-tree-vectorize ${ARGN}
                          # GCC 12 warns of its own AVX-512 intrinsics.
                          -Wno-maybe-uninitialized -Wno-uninitialized)
   target_sources(furnas_engine PRIVATE $<TARGET_OBJECTS:furnas_kernels_${set}>)

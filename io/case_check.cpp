@@ -71,16 +71,17 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
 
 std::optional<Conflict> conflict_of_phi_error(const Case& c) {
   if (c.stop.phi_error == 0) return {};
-  const auto with = [&](const std::string& other) {
-    return Conflict{"stop.phi_error",
-                    fmt::format("stop.phi_error = {} and {} exclude each other", c.stop.phi_error, other)};
+  const auto with = [&](const char* other, const char* why) {
+    return Conflict{"stop.phi_error", fmt::format("stop.phi_error = {} and {} exclude each other: {}",
+                                                  c.stop.phi_error, other, why)};
   };
   if (c.stop.criterion == "paper")
-    return with("stop.criterion = \"paper\": that one knows no bound; leave one out");
-  if (c.compaction.cell == "fixed") return with("compaction.cell = \"fixed\": phi does not change there");
+    return with("stop.criterion = \"paper\"",
+                "that criterion looks at the kinetic energy alone; leave one out");
+  if (c.compaction.cell == "fixed") return with("compaction.cell = \"fixed\"", "there phi does not change");
   if (c.compaction.pressure.size() > 1)
-    return with(
-        "several values of compaction.pressure: each but the last must be reached at rest; allowed: one");
+    return with("several values of compaction.pressure",
+                "the next pressure waits until the packing rests; allowed: one pressure");
   return {};
 }
 

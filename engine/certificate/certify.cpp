@@ -178,9 +178,11 @@ std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const B
   return std::to_string(std::lround(100 * share)) + " % of its energy is in the particles " + ids;
 }
 
-/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not.
+/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not. Out of
+/// balance the motions are those of a packing on its way, and their growth is told, not judged.
 Part growth_part(const SmallMotion& motion, const Growth& growth, const std::optional<Growth>& in_the_run,
-                 const Backbone& backbone) {
+                 const Backbone& backbone, Balance balance) {
+  const bool judged = balance != Balance::off;
   const GrowingMode* both_ways = growth.fastest();
   Part part;
   part.name = "stability with sliding";
@@ -191,9 +193,10 @@ Part growth_part(const SmallMotion& motion, const Growth& growth, const std::opt
     part.note = "Not asked: too many unknowns to factor.";
     return part;
   }
+  const char* const rate_name = "rate of a motion that grows as its contacts go [1/time]";
+  const double rate = growth.certain ? growth.certain->rate() : 0;
   part.findings = {at_least("equations of motion solved", growth.valid ? 1 : 0, 1),
-                   at_most("rate of a motion that grows as its contacts go [1/time]",
-                           growth.certain ? growth.certain->rate() : 0, 0),
+                   judged ? at_most(rate_name, rate, 0) : told(rate_name, rate),
                    told("rate of the fastest, were contacts to slide both ways [1/time]",
                         both_ways ? both_ways->rate() : 0)};
   if (both_ways) {
@@ -208,11 +211,13 @@ Part growth_part(const SmallMotion& motion, const Growth& growth, const std::opt
   }
   const GrowingMode* shown = growth.certain ? &*growth.certain : both_ways;
   if (shown) {
-    part.note = growth.certain ? "The packing is not at a stable rest: a small motion grows"
-                               : "Were the contacts that slide to slide both ways, a small motion would grow";
+    part.note = !growth.certain ? "Were the contacts that slide to slide both ways, a small motion would grow"
+                : judged        ? "The packing is not at a stable rest: a small motion grows"
+                                : "A small motion of this state grows";
     part.note += " e-fold in " + std::to_string(std::lround(1 / shown->rate())) + " time units; " +
                  movers(motion, shown->motion, backbone) + ".";
     if (!growth.certain) part.note += " A contact that turns back sticks, and may hold it.";
+    if (!judged) part.note += " The forces do not balance yet: what grows here need not grow where they do.";
   }
   return part;
 }
@@ -281,7 +286,7 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.cell.freedom),
                        stability_part(modes, shown, friction_state(network, backbone).sliding),
-                       growth_part(small, growth, in_the_run, backbone),
+                       growth_part(small, growth, in_the_run, backbone, certificate.balance),
                        moduli_part(moduli, terms.cell.freedom)};
   return certificate;
 }

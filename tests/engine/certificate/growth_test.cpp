@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include "engine/certificate/certify.h"
 #include "engine/certificate/statics.h"
 #include "tests/engine/phases/crystal.h"
 #include "tests/engine/support/driven.h"
@@ -47,6 +49,30 @@ TEST(Growth, OfAChainThatBuckles) {
     // The stiffness is in doubt by rounding alone: 1e-10 k_n over 2 m lambda.
     EXPECT_LT(fastest.doubt, 2 * 1e-10 / (2 * mass_of(0.5) * expected));
   }
+}
+
+/// The part of a certificate that judges growth, of a chain whose first sphere is moved along it.
+Part growth_part_of_chain(double moved) {
+  constexpr int length = 4;
+  std::vector<Ball> balls;
+  for (int k = 0; k < length; ++k) balls.push_back({.position = {k * r + (k == 0 ? moved : 0), 2, 2}});
+  const Packing p = packing_of({length * r, 4, 4, 0, 0, 0}, balls);
+  const Certificate c = certify(
+      p, {.springs = {.law = HookeSynchronized{{.friction = 0.3}}}, .cell = {.freedom = CellFreedom::fixed}});
+  EXPECT_EQ(c.balance == Balance::off, moved != 0);
+  for (const Part& part : c.parts)
+    if (part.name == "stability with sliding") return part;
+  return {};
+}
+
+// What grows in a state out of balance need not grow where the packing comes to rest.
+TEST(Growth, IsJudgedInBalanceAlone) {
+  const Part balanced = growth_part_of_chain(0);
+  EXPECT_FALSE(balanced.passed());
+  EXPECT_NE(balanced.note.find("not at a stable rest"), std::string::npos) << balanced.note;
+  const Part moving = growth_part_of_chain(0.1 * push);
+  EXPECT_TRUE(moving.passed());
+  EXPECT_NE(moving.note.find("do not balance yet"), std::string::npos) << moving.note;
 }
 
 // Crystals are stable: nothing grows, with friction or without, whatever contacts see of the cell's flow.
