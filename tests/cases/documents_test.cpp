@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = FURNAS_SOURCE_DIR;
+const fs::path tree = FURNAS_SOURCE_DIR;
 
 /// What all files of a folder with this extension say.
 std::string all_of(const fs::path& folder, const std::string& extension) {
@@ -27,11 +27,11 @@ void each_match(const std::string& text, const std::regex& pattern, Visit&& visi
   for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) visit(*at);
 }
 
-std::string documents() { return all_of(root / "docs", ".md") + content(root / "README.md"); }
+std::string documents() { return all_of(tree / "docs", ".md") + content(tree / "README.md"); }
 
 TEST(Documents, NameTestsThatExist) {
-  const std::string tests = all_of(root / "tests", ".cpp") + content(root / "cmake/kernels.cmake") +
-                            content(root / "tests/library/CMakeLists.txt");
+  const std::string tests = all_of(tree / "tests", ".cpp") + content(tree / "cmake/kernels.cmake") +
+                            content(tree / "tests/library/CMakeLists.txt");
   int found = 0;
   each_match(documents(), std::regex(R"(`([A-Z]\w*)\.([A-Z*]\w*)`)"), [&](const std::smatch& match) {
     const std::string suite = match[1], test = match[2];
@@ -47,10 +47,10 @@ TEST(Documents, NameTestsThatExist) {
 TEST(Documents, AreWhereTheyAreSaidToBe) {
   std::string text = documents();
   for (const char* room : {"engine", "io", "viz", "cases", "tests"})
-    for (const char* extension : {".h", ".cpp", ".toml"}) text += all_of(root / room, extension);
+    for (const char* extension : {".h", ".cpp", ".toml"}) text += all_of(tree / room, extension);
   int found = 0;
   each_match(text, std::regex(R"(\bdocs/([\w-]+\.(md|sh|svg|png|cpp)))"), [&](const std::smatch& match) {
-    EXPECT_TRUE(fs::exists(root / match[0].str())) << match[0];
+    EXPECT_TRUE(fs::exists(tree / match[0].str())) << match[0];
     ++found;
   });
   EXPECT_GT(found, 10);

@@ -41,7 +41,7 @@ void write_script(const fs::path& file, const std::string& text) {
   fs::permissions(file, fs::perms::owner_all);
 }
 
-const fs::path source = FURNAS_SOURCE_DIR;
+const fs::path checkout = FURNAS_SOURCE_DIR;
 
 /// A folder that no other test, nor the same test of another checkout, uses. Its blank is meant.
 fs::path own_folder(const std::string& name) {
@@ -56,8 +56,8 @@ class FrontDoor : public testing::Test {
     root_ = own_folder(test->name());
     fs::remove_all(root_);
     fs::create_directories(root_ / "elsewhere");
-    fs::copy_file(source / "furnas", root_ / "furnas");
-    fs::copy_file(source / "CMakePresets.json", root_ / "CMakePresets.json");
+    fs::copy_file(checkout / "furnas", root_ / "furnas");
+    fs::copy_file(checkout / "CMakePresets.json", root_ / "CMakePresets.json");
     write(root_ / "packages.txt", "# none\n");
     write(root_ / "CMakeLists.txt",
           "cmake_minimum_required(VERSION 3.25)\nproject(door C)\noption(FURNAS_TESTS \"\" ON)\n"
@@ -190,17 +190,18 @@ TEST_F(FrontDoorPackages, SaysWhatIsMissingWithoutRootOrSudo) {
 }
 
 TEST(FrontDoorScript, IsPlainShell) {
-  EXPECT_EQ(shell("sh -n '" + (source / "furnas").string() + "'").text, "");
+  EXPECT_EQ(shell("sh -n '" + (checkout / "furnas").string() + "'").text, "");
   if (shell("command -v shellcheck").code != 0) GTEST_SKIP() << "shellcheck is not installed";
   EXPECT_EQ(
-      shell("shellcheck '" + (source / "furnas").string() + "' '" + (source / ".ci/run").string() + "'").text,
+      shell("shellcheck '" + (checkout / "furnas").string() + "' '" + (checkout / ".ci/run").string() + "'")
+          .text,
       "");
 }
 
 TEST(NightlyFrontDoor, WorksInACleanClone) {
   const fs::path clone = own_folder("clone");
   fs::remove_all(clone);
-  const ShellAnswer cloned = shell("git clone -q '" + source.string() + "' '" + clone.string() + "'");
+  const ShellAnswer cloned = shell("git clone -q '" + checkout.string() + "' '" + clone.string() + "'");
   ASSERT_EQ(cloned.code, 0) << cloned.text;
   const ShellAnswer answer = shell("cd / && '" + (clone / "furnas").string() + "' info");
   EXPECT_EQ(answer.code, 0) << answer.text;

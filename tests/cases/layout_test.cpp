@@ -187,12 +187,12 @@ std::string violations_of(const std::vector<Source>& sources, const fs::path& ro
   return violations.text();
 }
 
-const fs::path root = FURNAS_SOURCE_DIR;
+const fs::path this_tree = FURNAS_SOURCE_DIR;
 
 TEST(Layout, HoldsInTheWholeTree) {
-  const auto sources = read_tree(root);
+  const auto sources = read_tree(this_tree);
   EXPECT_GT(sources.size(), 10U);
-  EXPECT_EQ(violations_of(sources, root), "");
+  EXPECT_EQ(violations_of(sources, this_tree), "");
 }
 
 TEST(Layout, NothingPointsBack) {
@@ -221,10 +221,11 @@ TEST(Layout, EachRuleBites) {
       {"at most 400 lines", {"io/a.cpp", std::vector<std::string>(401)}},
   };
   for (const auto& [expected, source] : broken)
-    EXPECT_NE(violations_of({source}, root).find(expected), std::string::npos) << expected;
+    EXPECT_NE(violations_of({source}, this_tree).find(expected), std::string::npos) << expected;
   const std::vector<Source> twins = {{"engine/base/a.h", {"#pragma once", "struct Finding {"}},
                                      {"io/a.h", {"#pragma once", "enum class Finding { yes, no };"}}};
-  EXPECT_NE(violations_of(twins, root).find("Finding is defined in engine/base/a.h, too"), std::string::npos);
+  EXPECT_NE(violations_of(twins, this_tree).find("Finding is defined in engine/base/a.h, too"),
+            std::string::npos);
 }
 
 }  // namespace

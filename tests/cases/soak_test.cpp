@@ -54,7 +54,7 @@ Packing sheared_gas() {
 }
 
 /// What is seen of the process from outside.
-struct Sample {
+struct SoakSample {
   double memory{};      ///< resident [bytes]
   double processor{};   ///< time it has used [s]
   double step{};        ///< of the last row of its history
@@ -69,8 +69,8 @@ double last_step(const fs::path& history) {
   return std::atof(text.substr(text.rfind('\n') + 1).c_str());
 }
 
-Sample sample_of(pid_t process, const fs::path& run) {
-  Sample s;
+SoakSample sample_of(pid_t process, const fs::path& run) {
+  SoakSample s;
   const std::string proc = "/proc/" + std::to_string(process);
   double pages = 0;
   std::ifstream(proc + "/statm") >> pages >> pages;
@@ -89,7 +89,7 @@ Sample sample_of(pid_t process, const fs::path& run) {
   return s;
 }
 
-double cost_of_a_step(const Sample& a, const Sample& b) {
+double cost_of_a_step(const SoakSample& a, const SoakSample& b) {
   return (b.processor - a.processor) / (b.step - a.step);
 }
 
@@ -102,7 +102,7 @@ TEST(NightlySoak, NothingGrowsAndNothingFallsBehind) {
   const fs::path run = runs.path("run");
   Process process({"run", runs.path("case.toml"), "--out", run.string()});
   const auto begin = Clock::now();
-  std::vector<Sample> samples;
+  std::vector<SoakSample> samples;
   while (Clock::now() - begin < length && process.runs()) {
     std::this_thread::sleep_for(length / 200);
     if (fs::exists(run / "b.checkpoint")) samples.push_back(sample_of(process.id(), run));
@@ -114,16 +114,16 @@ TEST(NightlySoak, NothingGrowsAndNothingFallsBehind) {
   ASSERT_GE(samples.size(), 40u);
 
   const std::size_t quarter = samples.size() / 4;
-  const auto most = [&](std::size_t first, std::size_t last, double Sample::*field) {
+  const auto most = [&](std::size_t first, std::size_t last, double SoakSample::*field) {
     double value = 0;
     for (std::size_t k = first; k < last; ++k) value = std::max(value, samples[k].*field);
     return value;
   };
-  const double memory_then = most(quarter, 2 * quarter, &Sample::memory);
-  const double memory_now = most(3 * quarter, samples.size(), &Sample::memory);
+  const double memory_then = most(quarter, 2 * quarter, &SoakSample::memory);
+  const double memory_now = most(3 * quarter, samples.size(), &SoakSample::memory);
   const double cost_then = cost_of_a_step(samples[quarter], samples[2 * quarter]);
   const double cost_now = cost_of_a_step(samples[3 * quarter], samples.back());
-  const double oldest = most(0, samples.size(), &Sample::checkpoint);
+  const double oldest = most(0, samples.size(), &SoakSample::checkpoint);
   const auto result = runs.result("run");
   std::cout << "minutes " << length.count() << ", steps " << result["steps"] << ", flips " << result["flips"]
             << ", lists " << result["lists_built"] << ", frames " << read_frames(run / "frames.pvd").size()

@@ -11,7 +11,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::vector<Cells> rows_of(const std::string& text) {
+std::vector<Cells> parsed(const std::string& text) {
   std::istringstream file(text);
   std::vector<Cells> rows;
   for (Cells cells; read_csv_row(file, cells);) rows.push_back(cells);
@@ -28,25 +28,25 @@ TEST(Csv, QuotesWhatNeedsIt) {
 TEST(Csv, ReadsWhatItWrites) {
   const std::vector<Cells> rows{{"a,b", "\"", "\"\"", ",", ""},
                                 {"two\nlines", "x", "\"a\",\"b\"", " ", "\n"}};
-  EXPECT_EQ(rows_of(csv_row(rows[0]) + csv_row(rows[1])), rows);
+  EXPECT_EQ(parsed(csv_row(rows[0]) + csv_row(rows[1])), rows);
 }
 
 TEST(Csv, ReadsWhatOthersWrite) {
-  EXPECT_EQ(rows_of("a,\"b,c\"\r\n\"d\",e"), (std::vector<Cells>{{"a", "b,c"}, {"d", "e"}}));
-  EXPECT_EQ(rows_of("\n,\n"), (std::vector<Cells>{{""}, {"", ""}}));
-  EXPECT_TRUE(rows_of("").empty());
+  EXPECT_EQ(parsed("a,\"b,c\"\r\n\"d\",e"), (std::vector<Cells>{{"a", "b,c"}, {"d", "e"}}));
+  EXPECT_EQ(parsed("\n,\n"), (std::vector<Cells>{{""}, {"", ""}}));
+  EXPECT_TRUE(parsed("").empty());
 }
 
 // furnas 0.2.0 quoted a cell for its comma, not for its quotes.
 TEST(Csv, TakesLooseQuotesAsTheyStand) {
-  EXPECT_EQ(rows_of("\"x\" is no law; allowed: y,1\n"),
+  EXPECT_EQ(parsed("\"x\" is no law; allowed: y,1\n"),
             (std::vector<Cells>{{"\"x\" is no law; allowed: y", "1"}}));
-  EXPECT_EQ(rows_of("the law \"x\",1\n"), (std::vector<Cells>{{"the law \"x\"", "1"}}));
+  EXPECT_EQ(parsed("the law \"x\",1\n"), (std::vector<Cells>{{"the law \"x\"", "1"}}));
 }
 
 TEST(Csv, RefusesQuotesThatAreNeverClosed) {
-  EXPECT_EQ(rows_of("\"a\nb\",c\n").size(), 1u);
-  EXPECT_THROW(rows_of("\"a\nb,c\n"), InputError);
+  EXPECT_EQ(parsed("\"a\nb\",c\n").size(), 1u);
+  EXPECT_THROW(parsed("\"a\nb,c\n"), InputError);
 }
 
 TEST(WithoutCommas, NeedsNoQuotes) {

@@ -308,7 +308,7 @@ TEST(Picture, PrintsNothing) {
 }
 
 TEST(Picture, RefusesWhatCannotBeDrawn) {
-  EXPECT_THAT(refusal([] { render({}); }), HasSubstr("no particles"));
+  EXPECT_THAT(refusal([] { render(Packing{}); }), HasSubstr("no particles"));
   EXPECT_THAT(refusal([] { render(one_sphere(), {.width = 0}); }), HasSubstr("0 x 2000 pixels"));
   EXPECT_THAT(refusal([] { render(one_sphere(), {.height = 1 << 20}); }),
               HasSubstr("each side must be 1 to"));
