@@ -1,5 +1,7 @@
 #include "cases/program/packing_source.h"
 
+#include <ostream>
+
 #include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
 #include "engine/base/require.h"
@@ -26,6 +28,13 @@ PackingSource packing_source(const std::string& name) {
   if (fs::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
   if (is_checkpoint(name)) return source_from(read_checkpoint(name), name);
   return {read_packing(name), {}, {}};
+}
+
+void remark_on_older_checkpoint(const std::string& name, std::ostream& out) {
+  if (fs::is_directory(name) || !fs::exists(name) || !is_checkpoint(name)) return;
+  if (const auto newer = Checkpoints::newer_than(name))
+    out << "furnas: " << name << " is the older of two checkpoints; " << newer->filename().string()
+        << " is newer. The folder as argument means the newest\n";
 }
 
 void add_packing_source(CommandLine& app, std::string& name) {

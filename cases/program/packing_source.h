@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct PackingSource {
 
 /// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
 PackingSource packing_source(const std::string& folder_or_file);
+
+/// Says so if the source is a checkpoint and its folder has a newer one.
+void remark_on_older_checkpoint(const std::string& folder_or_file, std::ostream& out);
 
 /// The case of a source; of a file without one that of the run in whose folder, or in a folder of which, it
 /// lies.

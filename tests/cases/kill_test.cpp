@@ -261,7 +261,7 @@ TEST(ReliableProcess, TwoInOneFolder) {
 /// Runs an endless case for two seconds, and expects all that it has done to be saved; its result.
 nlohmann::json run_of_two_seconds(const Runs& runs) {
   const Ending ending = ending_of({"run", runs.path("case.toml"), "--out", runs.path("run"), "--set",
-                                   "stop.steps=1_000_000_000", "--walltime", "2"});
+                                   "stop.steps=1_000_000_000", "--walltime", "2s"});
   EXPECT_EQ(ending.code, 5) << ending.out;
   const nlohmann::json result = runs.result("run");
   EXPECT_THAT(result["reason"].get<std::string>(), HasSubstr("the wall time is spent"));

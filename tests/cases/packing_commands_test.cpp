@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cases/program/run/recording.h"
 #include "io/formats.h"
 #include "tests/cases/runs.h"
 
@@ -88,6 +89,20 @@ TEST(PackingCommands, NameTheFormatsThatTheyKnow) {
     EXPECT_THAT(answer.err, HasSubstr(wrong.says));
     EXPECT_EQ(runs.files(), files) << wrong.says;
   }
+}
+
+TEST(Export, SaysWhichCheckpointIsTheOlder) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=10"}).code, ExitCode::budget_spent);
+  const auto err_of = [&](const std::string& source) {
+    return furnas({"export", runs.path(source), "extxyz", "--out", runs.path("out.extxyz")}).err;
+  };
+  const bool newest_is_a = Checkpoints::find_newest(runs.path("a")).file == "a.checkpoint";
+  const std::string newest = newest_is_a ? "a/a.checkpoint" : "a/b.checkpoint";
+  const std::string older = newest_is_a ? "a/b.checkpoint" : "a/a.checkpoint";
+  EXPECT_EQ(err_of(newest), "");
+  EXPECT_EQ(err_of("a"), "");
+  EXPECT_THAT(err_of(older), HasSubstr("is the older of two checkpoints"));
 }
 
 TEST(Render, DrawsAFileAndTheFolderOfARun) {

@@ -56,6 +56,20 @@ TEST(ReliableResume, GoesOnWithItsStaircase) {
   EXPECT_EQ(difference(runs.path("parts"), runs.path("whole")), "");
 }
 
+/// Fewer steps than are done would leave a run that nothing takes up again.
+TEST(ReliableResume, NeverAsksForFewerStepsThanAreDone) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("whole", {"stop.steps=900"}).code, ExitCode::budget_spent);
+  ASSERT_EQ(runs.run("parts", {"stop.steps=500"}).code, ExitCode::budget_spent);
+  const Answer fewer = runs.resume("parts", {"--steps", "499"});
+  EXPECT_EQ(fewer.code, ExitCode::bad_case);
+  EXPECT_THAT(fewer.err,
+              HasSubstr("stop.steps = 499, but 500 steps are done; allowed: at least 500, or --more"));
+  EXPECT_EQ(runs.resume("parts", {"--steps", "800", "--more", "1"}).code, ExitCode::bad_case);
+  ASSERT_EQ(runs.resume("parts", {"--more", "400"}).code, ExitCode::budget_spent);
+  EXPECT_EQ(difference(runs.path("parts"), runs.path("whole")), "");
+}
+
 TEST(ReliableResume, NeedsACheckpoint) {
   const Runs runs;
   fs::create_directory(runs.path("empty"));

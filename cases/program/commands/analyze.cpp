@@ -173,6 +173,7 @@ Command analyze_command() {
     app.flag("--no-pictures", options->no_pictures, "write the tables alone");
   };
   command.run = [options](Console console) {
+    remark_on_older_checkpoint(options->source, console.err);
     const AnalysisRecord record = analyze_source(*options);
     const fs::path folder = folder_about(options->source, options->out);
     const std::vector<std::string> written = write_files(record, folder, !options->no_pictures);

@@ -76,6 +76,7 @@ Command certify_command() {
     app.add("--eigenvalues", options->eigenvalues, "eigenvalues to show").between(1, 100).showing_default();
   };
   command.run = [options](Console console) {
+    remark_on_older_checkpoint(options->source, console.err);
     const PackingSource source = run_source(options->source);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);

@@ -24,6 +24,7 @@ Command export_command() {
     app.add("--out", options->out, "file; default: packing with the format's extension");
   };
   command.run = [options](Console console) {
+    remark_on_older_checkpoint(options->source, console.err);
     const std::string out =
         options->out.empty() ? "packing" + std::string(extension_of(options->format)) : options->out;
     write_packing(packing_from(options->source), options->format, out);

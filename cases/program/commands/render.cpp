@@ -176,6 +176,7 @@ Command render_command() {
       render_compaction(*options, console);
       return ExitCode::done;
     }
+    remark_on_older_checkpoint(options->source, console.err);
     const PackingSource source = drawn_source(options->source, *options);
     if (options->turning > 0) {
       render_turning(*options, source, console);

@@ -31,6 +31,7 @@ Command replicate_command() {
              "forces anew, without histories");
   };
   command.run = [options](Console console) {
+    remark_on_older_checkpoint(options->source, console.err);
     const Times times = parse_times(options->times);
     PackingSource source = packing_source(options->source);
     if (options->start) {

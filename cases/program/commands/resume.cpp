@@ -13,7 +13,7 @@ struct Options {
   std::string folder;
   std::string walltime;
   std::optional<int> threads;
-  std::optional<std::int64_t> steps;
+  std::optional<std::int64_t> steps, more;
   std::optional<double> phi_error;
 };
 
@@ -29,7 +29,8 @@ Command resume_command() {
     app.add("DIR", options->folder, "folder of the run").required();
     app.add("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
     app.add("--threads", options->threads, "compute.threads");
-    app.add("--steps", options->steps, "stop.steps, to give a spent budget more");
+    const Argument steps = app.add("--steps", options->steps, "stop.steps, to give a spent budget more");
+    app.add("--more", options->more, "steps beyond those that are done").above_zero().excludes(steps);
     app.add("--phi-error", options->phi_error, "stop.phi_error, to carry a settled run on; 0: to rest");
   };
   command.run = [options](Console console) {
@@ -37,7 +38,7 @@ Command resume_command() {
     if (options->threads) set.push_back("compute.threads=" + std::to_string(*options->threads));
     if (options->steps) set.push_back("stop.steps=" + std::to_string(*options->steps));
     if (options->phi_error) set.push_back(fmt::format("stop.phi_error={}", *options->phi_error));
-    RunOrder order = order_to_resume(options->folder, set);
+    RunOrder order = order_to_resume(options->folder, set, options->more);
     if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime);
     return run_case(std::move(order), console);
   };

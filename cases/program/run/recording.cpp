@@ -98,6 +98,20 @@ bool Checkpoints::none(const std::filesystem::path& folder) {
                       [&](const char* name) { return std::filesystem::exists(folder / name); });
 }
 
+std::optional<std::filesystem::path> Checkpoints::newer_than(const std::filesystem::path& checkpoint) {
+  const std::int64_t step = checkpoint_step(checkpoint);
+  for (const char* name : checkpoint_names) {
+    const std::filesystem::path other = checkpoint.parent_path() / name;
+    if (checkpoint.filename() == name || !std::filesystem::exists(other)) continue;
+    try {
+      if (checkpoint_step(other) > step) return other;
+    } catch (const InputError&) {
+      // A damaged one is no better.
+    }
+  }
+  return {};
+}
+
 Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder) {
   const auto begin = std::chrono::steady_clock::now();
   Found newest;

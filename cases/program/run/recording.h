@@ -80,6 +80,9 @@ class Checkpoints {
   /// Whether a folder has none yet.
   static bool none(const std::filesystem::path& folder);
 
+  /// The other checkpoint of a folder, if it is good and of a later step.
+  static std::optional<std::filesystem::path> newer_than(const std::filesystem::path& checkpoint);
+
   /// Throws InputError naming the faults of both when none can be read.
   static Found find_newest(const std::filesystem::path& folder);
   static Checkpoint read_newest(const std::filesystem::path& folder) {

@@ -206,7 +206,8 @@ RunOrder order_to_run(const Case& c) {
   return order;
 }
 
-RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes) {
+RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes,
+                         std::optional<std::int64_t> more) {
   RunOrder order;
   order.folder = std::make_unique<RunFolder>(RunFolder::open(folder));
   Checkpoints::Found found = Checkpoints::find_newest(folder);
@@ -216,6 +217,12 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
   if (order.past.ended == Verdict::settled && order.resolved_case.stop.phi_error != settled_within)
     order.past.ended.reset();
   order.start = std::move(found.checkpoint.packing);
+  std::int64_t& steps = order.resolved_case.stop.steps;
+  if (more) steps = order.start.step + *more;
+  if (steps < order.start.step)
+    throw InputError(fmt::format(
+        "stop.steps = {}, but {} steps are done; allowed: at least {}, or --more N for N steps more", steps,
+        order.start.step, order.start.step));
   order.checkpoint = found.file;
   order.checkpoint_seconds = found.seconds;
   if (!found.fault.empty())

@@ -33,7 +33,8 @@ RunOrder order_to_run(const Case& c);
 
 /// The order to go on with the run in `folder`, with some keys of its case changed. Throws InputError, and
 /// FolderInUse while another process works there.
-RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes);
+RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const std::string> changes,
+                         std::optional<std::int64_t> more = {});
 
 /// Runs a case to its verdict, writes the folder of the run and prints what came out.
 ExitCode run_case(RunOrder order, Console console);

@@ -12,6 +12,7 @@
 #include "cases/program/preflight.h"
 #include "cases/program/run/folder_lock.h"
 #include "cases/program/run/progress.h"
+#include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
 #include "cases/program/run/signals.h"
 #include "cases/program/sweep/points.h"
@@ -19,6 +20,7 @@
 #include "cases/program/sweep/refinement.h"
 #include "cases/program/table.h"
 #include "engine/base/parallel.h"
+#include "engine/base/require.h"
 #include "io/atomic_file.h"
 
 namespace furnas {
@@ -184,6 +186,9 @@ class Sweep {
 }  // namespace
 
 ExitCode run_sweep(const SweepOrder& order, Console console) {
+  if (!Checkpoints::none(order.folder))
+    throw InputError(fmt::format("--out {} is the folder of a run; allowed: a new folder, or that of a sweep",
+                                 order.folder.string()));
   samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
   make_folder(order.folder);
   const FolderLock lock(order.folder);

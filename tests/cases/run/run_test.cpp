@@ -82,7 +82,7 @@ TEST(Run, ASpentBudgetIsNoPhiJ) {
 TEST(Run, AWallTimeEndsItToo) {
   const Runs runs;
   const Answer answer =
-      runs.run("a", {"compaction.cell=fixed", "stop.steps=1_000_000_000"}, {"--walltime", "0.1"});
+      runs.run("a", {"compaction.cell=fixed", "stop.steps=1_000_000_000"}, {"--walltime", "0.1s"});
   EXPECT_EQ(answer.code, ExitCode::budget_spent);
   EXPECT_THAT(std::string(runs.result("a")["reason"]), HasSubstr("the wall time is spent"));
 }

@@ -177,6 +177,15 @@ TEST_F(Sweeps, RefusesAnotherCaseInItsFolder) {
   EXPECT_THAT(other.out, HasSubstr("holds another case"));
 }
 
+TEST_F(Sweeps, RefusesTheFolderOfARun) {
+  write(std::string(soft));
+  ASSERT_EQ(ending_of({"run", path("a.toml"), "--out", path("run"), "--set", "stop.steps=0"}).code, 5);
+  write(std::string(soft) + soft_sweep);
+  const Ending refused = sweep("run");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.out, HasSubstr("is the folder of a run"));
+}
+
 TEST_F(Sweeps, GivesASpentBudgetMore) {
   write(std::string(soft) + "[sweep]\nsamples = 1\n");
   ASSERT_EQ(sweep("out", {"--set", "stop.steps=2000"}).code, 0);
