@@ -255,7 +255,7 @@ TEST(ReliableProcess, TwoInOneFolder) {
   EXPECT_TRUE(process->runs());
   process->signal(SIGINT);
   EXPECT_EQ(process->wait().code, 130);
-  EXPECT_EQ(ending_of({"resume", runs.path("run"), "--steps", "10"}).code, 5) << "the folder is free again";
+  EXPECT_EQ(ending_of({"resume", runs.path("run"), "--more", "10"}).code, 5) << "the folder is free again";
 }
 
 /// Runs an endless case for two seconds, and expects all that it has done to be saved; its result.

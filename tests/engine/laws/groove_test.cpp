@@ -151,8 +151,8 @@ void compare_with_legacy(const Groove& groove, double reference_step) {
 // T17: the escape is on time to 2 % at the step of the study; the legacy law fails this wherever friction
 // holds the wedge: with mu = 1 from a size ratio of 2.4 on, with mu = 0.5 from 8.5 on.
 TEST(Groove, LegacySticksWhereSynchronizedEscapesOnTime) {
-  for (double size_ratio : size_ratios) compare_with_legacy({size_ratio, 1e-5, 0.5}, paper_step / 4);
-  for (double size_ratio : {2.0, 3.0, 5.0}) compare_with_legacy({size_ratio, 1e-5, 1}, paper_step / 4);
+  for (double size_ratio : {2.0, 10.0}) compare_with_legacy({size_ratio, 1e-5, 0.5}, paper_step / 4);
+  for (double size_ratio : {2.0, 5.0}) compare_with_legacy({size_ratio, 1e-5, 1}, paper_step / 4);
 }
 
 // T17: with the weight of the published example (m g/(k_n d_s) = 3.2e-7), against a 64th of the step.
