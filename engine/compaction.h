@@ -13,7 +13,8 @@
 
 namespace furnas {
 
-/// How a run ended. Only `jammed` gives a phi_J; `settled` gives phi with a bound on what it may still change.
+/// How a run ended. Only `jammed` gives a phi_J; `settled` gives phi with a bound on what it may still
+/// change.
 enum class Verdict { jammed, settled, budget, diverged, interrupted };
 
 /// The verdict as it stands in files: "jammed", "settled", "budget", "diverged", "interrupted".
