@@ -40,8 +40,10 @@ Child start(const Sample& sample, int threads) {
   fs::create_directories(sample.folder.parent_path());
   std::vector<std::string> arguments;
   if (state_of(sample) == SampleState::interrupted) {
-    arguments = {"resume", sample.folder.string(), "--steps",
-                 std::to_string(sample.resolved_case.stop.steps)};
+    // What may have changed in the file of the sweep.
+    const Case::Stop& stop = sample.resolved_case.stop;
+    arguments = {"resume",      sample.folder.string(),           "--steps", std::to_string(stop.steps),
+                 "--phi-error", fmt::format("{}", stop.phi_error)};
   } else {
     // What a killed process has left before its first checkpoint.
     fs::remove_all(sample.folder);

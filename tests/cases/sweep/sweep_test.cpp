@@ -196,6 +196,35 @@ TEST_F(Sweeps, GivesASpentBudgetMore) {
   EXPECT_EQ(bits("out"), bits("whole"));
 }
 
+/// A sample that has settled is finished, until the sweep asks for a smaller bound or for rest.
+TEST_F(Sweeps, CarriesSettledSamplesOnToASmallerBound) {
+  write(R"([mixture]
+large = 60
+start_fraction = 0.3
+[compaction]
+pressure = 1e-3
+[stop]
+strain_drift = 1e-30
+steps = 100_000
+[output]
+picture = "none"
+[sweep]
+samples = 1
+)");
+  ASSERT_EQ(sweep("out", {"--set", "stop.phi_error=1e-2"}).code, 0);
+  const SampleRow settled = table("out").rows.at(0);
+  EXPECT_EQ(settled.verdict, "settled");
+  EXPECT_GT(settled.phi_bound, 0);
+  EXPECT_LT(settled.phi_bound, 1e-2);
+  ASSERT_EQ(sweep("out", {"--set", "stop.phi_error=1e-2"}).code, 0);
+  EXPECT_EQ(table("out").rows.at(0).steps, settled.steps);
+  ASSERT_EQ(sweep("out").code, 0);
+  EXPECT_EQ(table("out").rows.at(0).verdict, "budget");
+  EXPECT_EQ(table("out").rows.at(0).steps, 100'000);
+  ASSERT_EQ(sweep("whole").code, 0);
+  EXPECT_EQ(bits("out"), bits("whole"));
+}
+
 TEST_F(Sweeps, StoppedOrKilledGoesOnToTheSameBits) {
   write(long_sweep);
   ASSERT_EQ(sweep("whole").code, 0);
