@@ -56,8 +56,7 @@ std::string maxima_table(const Study& study) {
 std::string points_table(const Study& study) {
   std::string text =
       "| α | μ | f_s | N_l | N_s | jammed | settled | budget | diverged, failed | unfinished | φ_J | ± | "
-      "effective "
-      "size |\n"
+      "effective size |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
     if (p.unfinished == p.samples) continue;  // nothing is known of it
@@ -87,8 +86,8 @@ come, by which intervals are wider. Intervals are Student's t, 95 %. n: samples.
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
       "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed and settled "
-      "samples together. "
-      "Where the small spheres rattle only the large ones count. Points of which no sample is finished are "
+      "samples together. Where the small spheres rattle only the large ones count. Points of which no sample "
+      "is finished are "
       "left out.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";
