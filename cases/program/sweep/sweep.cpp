@@ -34,11 +34,11 @@ constexpr int most_refinements = 6;
 
 Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::string>& keys) {
   std::vector<std::string> names;
-  std::vector<std::size_t> columns;
+  std::vector<std::size_t> places;
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (keys[k] != "mixture.small_fraction") {
       names.push_back(keys[k]);
-      columns.push_back(k);
+      places.push_back(k);
     }
   names.insert(names.end(), {"points", "f_max", "f_max_low", "f_max_high", "known", "phi_max",
                              "phi_max_half_width", "phi_max_samples"});
@@ -48,7 +48,7 @@ Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::stri
     if (!m) continue;
     std::vector<std::string> cells;
     cells.reserve(names.size());
-    for (const std::size_t k : columns) cells.push_back(curve.points.front().values[k]);
+    for (const std::size_t k : places) cells.push_back(curve.points.front().values[k]);
     cells.push_back(std::to_string(curve.points.size()));
     for (const double f : {m->f_max, m->f_max_low, m->f_max_high}) cells.push_back(fmt::format("{:.4f}", f));
     cells.emplace_back(m->f_max_high - m->f_max_low <= 2 * wanted_f_max ? "yes" : "no");
