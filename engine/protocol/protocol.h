@@ -53,7 +53,7 @@ double time_unit_of(const Protocol& protocol);
 /// The time step [time]. Chosen by the program, it follows from two of the smallest spheres, of this diameter
 /// [d_s]: 0.1 of their collision time (0.08 with friction), at most a third of their largest stable step, and
 /// at most the step that is stable for a sphere that sticks to eight others of its size
-/// (docs/developer/decisions.md).
+/// (docs/developer/decisions/length-of-a-step.md).
 double time_step_of(const Protocol& protocol, double smallest = 1);
 
 /// The same in units of t_c.
