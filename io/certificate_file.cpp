@@ -91,7 +91,7 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
       "pass "
       "it\ntoo. Stability, with force balance and stress, is sufficient to first order: against any small "
       "motion, with\nfriction as it stands; sliding contacts, large motions and time are beyond it "
-      "(docs/certificate.md).\n\n";
+      "(docs/theory/certificate.md).\n\n";
   std::string failed;
   for (const Part& part : c.parts)
     if (!part.passed()) failed += (failed.empty() ? "" : ", ") + part.name;

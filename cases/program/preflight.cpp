@@ -135,9 +135,10 @@ std::string pairs_report(const Census& n, const AnyLaw& law) {
 }  // namespace
 
 double expected_memory(double particles, const Case& c) {
-  // Measured peaks, docs/performance.md: that of a look at the running packing, that of the picture after it.
+  // Measured peaks, docs/results/performance.md: that of a look at the running packing, that of the picture
+  // after it.
   constexpr double program = 36e6, renderer = 126e6, pixel = 89, drawn_particle = 420;
-  // Contacts a particle, of equal spheres at rest; within 0.1 of those of docs/verification.md.
+  // Contacts a particle, of equal spheres at rest; within 0.1 of those of docs/results/verification.md.
   const double contacts = 1.95 + 1.05 * std::exp(-c.contact.friction / 0.15);
   const double particle = (c.compute.precision == "double" ? 632 : 412) + 160 * contacts;
   const double running = program + particles * particle;

@@ -16,7 +16,7 @@ struct Preflight {
 /// Works out sizes, time scales, memory and expected time of a case without building its packing.
 Preflight check_case(const Case& c, const MemoryLimit& limit = memory_limit());
 
-/// Particle-steps a second that one core makes, about (docs/performance.md: 16e6 of equal spheres).
+/// Particle-steps a second that one core makes, about (docs/results/performance.md: 16e6 of equal spheres).
 inline constexpr double pace_of_a_core = 1.5e7;
 
 /// Memory of a run of so many particles at its peak, once they touch, in bytes.

@@ -51,7 +51,8 @@ struct Certificate {
 };
 
 /// Asks whether a packing is jammed, from its positions, radii, cell and tangential histories alone; reads no
-/// force, velocity or sum of the run and shares no code with its search, laws or step (docs/certificate.md).
+/// force, velocity or sum of the run and shares no code with its search, laws or step
+/// (docs/theory/certificate.md).
 Certificate certify(const Packing& packing, const CertificateTerms& terms);
 
 }  // namespace furnas

@@ -9,7 +9,7 @@
 
 namespace furnas {
 
-/// What presses the cell, and how the cell moves (docs/notation.md).
+/// What presses the cell, and how the cell moves (docs/reference/notation.md).
 struct CellMotion {
   CellFreedom freedom = CellFreedom::triclinic;
   double pressure = 1e-4;        ///< p_a; without meaning in a fixed cell [k_n/d_s]
@@ -23,10 +23,10 @@ struct CellMotion {
 ///
 ///     M z'' + C z' + K z = 0
 ///
-/// with the contacts as they are, those that slide sliding on and the others sticking (docs/certificate.md
-/// derives them). A tangential force that slides follows the normal force, damping included, so that neither
-/// C nor K is symmetric. The tangential spring of a contact is no unknown of its own: to first order xi
-/// is what u, theta and, if contacts feel the cell's flow, e have made of it.
+/// with the contacts as they are, those that slide sliding on and the others sticking
+/// (docs/theory/certificate.md derives them). A tangential force that slides follows the normal force,
+/// damping included, so that neither C nor K is symmetric. The tangential spring of a contact is no unknown
+/// of its own: to first order xi is what u, theta and, if contacts feel the cell's flow, e have made of it.
 ///
 /// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
 /// Those of the cell stand last: the strains it is free to make, in units of what one adds to the

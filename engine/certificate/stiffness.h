@@ -14,7 +14,7 @@
 namespace furnas {
 
 /// Second derivatives of the enthalpy U + p V of a backbone whose contacts are springs: what forces answer to
-/// small displacements (docs/certificate.md derives it).
+/// small displacements (docs/theory/certificate.md derives it).
 ///
 /// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
 /// A contact holds its two spheres with its normal stiffness along the normal and with k_t across it, if it

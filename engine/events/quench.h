@@ -14,7 +14,7 @@ namespace furnas {
 /// What still moves then is what no law damps: rattlers that knock at a backbone long settled, a sphere that
 /// spins about its contact normal or, on two contacts, about the line through them, soft modes of many
 /// spheres without friction that keep each other moving. It changes no position and no force, only the time
-/// until they balance; docs/decisions.md has the measurement.
+/// until they balance; docs/developer/decisions/quench.md has the measurement.
 ///
 /// A backbone whose kinetic energy grows from look to look is unstable, and on its way to where it can rest:
 /// a quench would only put that off.

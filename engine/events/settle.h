@@ -45,7 +45,8 @@ class PhiRecord {
 ///     phi by as much in each doubling of the age, and few runs last five doublings more;
 ///   - the stress that is still wrong: the change of phi that would put it right if every contact followed
 ///     the strain of the cell, times 3, because in a disordered packing they do not.
-/// The first is an estimate from experience, no proof: docs/decisions.md counts how often it held.
+/// The first is an estimate from experience, no proof: docs/developer/decisions/phi-with-a-bound.md counts
+/// how often it held.
 class Settle final : public Event {
  public:
   /// `quench` comes before it in the order of events. `least_age`: steps under pressure before a bound means

@@ -15,7 +15,8 @@ void book_contacts(const double& time_step, const Cell& cell, const ContactWork&
   ledger.cell_work -=
       0.5 * time_step * (contraction(cell.rate, ledger.last.push) + contraction(cell.rate, work.push));
   ContactWork here = work;
-  // A spring goes at once, and at the limit it is wound at once, to any length (docs/decisions.md).
+  // A spring goes at once, and at the limit it is wound at once, to any length
+  // (docs/developer/decisions/energy-balance.md).
   ledger.losses.opening += std::exchange(here.losses.opening, 0);
   ledger.losses.sliding += std::exchange(here.losses.sliding, 0);
   ledger.losses += 0.5 * ledger.last.losses;

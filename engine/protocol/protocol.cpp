@@ -52,7 +52,7 @@ double time_step_of(const Protocol& p, double smallest) {
   const double limit = largest_stable_step(law, pair) / 3;
   const double of_collision =
       (has_friction(law) ? 0.08 : 0.1) * collision_time(law, pair).value_or(limit / 0.08);
-  constexpr int neighbours = 8;  // docs/decisions.md, "How long a step may be"
+  constexpr int neighbours = 8;  // docs/developer/decisions/length-of-a-step.md
   return std::min({of_collision, limit, largest_stable_step_among(law, pair, neighbours)});
 }
 

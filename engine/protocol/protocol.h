@@ -12,7 +12,7 @@
 namespace furnas {
 
 /// How a gas of spheres is compressed until it jams: all numbers of a run but its spheres. The defaults are
-/// those of a case file; docs/case-file.md tells the range of each.
+/// those of a case file; docs/reference/case-file.md tells the range of each.
 struct Protocol {
   /// Name of the contact law. With a friction of 0 it stands for the law without spin and history.
   std::string law = HookeSynchronized::name;
@@ -52,7 +52,8 @@ double time_unit_of(const Protocol& protocol);
 
 /// The time step [time]. Chosen by the program, it follows from two of the smallest spheres, of this diameter
 /// [d_s]: 0.1 of their collision time (0.08 with friction), at most a third of their largest stable step, and
-/// at most the step that is stable for a sphere that sticks to eight others of its size (docs/decisions.md).
+/// at most the step that is stable for a sphere that sticks to eight others of its size
+/// (docs/developer/decisions/length-of-a-step.md).
 double time_step_of(const Protocol& protocol, double smallest = 1);
 
 /// The same in units of t_c.

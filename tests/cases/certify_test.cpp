@@ -219,7 +219,7 @@ TEST(NightlyCertify, PassesWhatTheProgramMakes) {
     expect_certified({friction, "mixture.size_ratio=3", "mixture.small_fraction=0.3", "mixture.large=60"});
 }
 
-// N 10 000. One of its motions no spring resists: docs/decisions.md, Certificate.
+// N 10 000. One of its motions no spring resists: docs/developer/decisions/limits-of-the-certificate.md.
 TEST(NightlyCertify, PassesTenThousandSpheres) {
   expect_certified({"contact.friction=0.3", "mixture.large=10000"});
 }

@@ -106,8 +106,8 @@ TEST_F(Commands, SchemaListsEveryKey) {
 
 TEST_F(Commands, TheReferencePageIsWhatSchemaWrites) {
   ASSERT_EQ(furnas({"schema", "--markdown"}), ExitCode::done);
-  EXPECT_EQ(out_, read_all(fs::path(FURNAS_SOURCE_DIR) / "docs/case-file.md"))
-      << "run: ./furnas schema --markdown > docs/case-file.md";
+  EXPECT_EQ(out_, read_all(fs::path(FURNAS_SOURCE_DIR) / "docs/reference/case-file.md"))
+      << "run: ./furnas schema --markdown > docs/reference/case-file.md";
 }
 
 TEST_F(Commands, InfoNamesTheBuild) {

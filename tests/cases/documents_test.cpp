@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "tests/io/packings.h"
 
@@ -49,11 +50,27 @@ TEST(Documents, AreWhereTheyAreSaidToBe) {
   for (const char* room : {"engine", "io", "viz", "cases", "tests"})
     for (const char* extension : {".h", ".cpp", ".toml"}) text += all_of(tree / room, extension);
   int found = 0;
-  each_match(text, std::regex(R"(\bdocs/([\w-]+\.(md|sh|svg|png|cpp)))"), [&](const std::smatch& match) {
+  each_match(text, std::regex(R"(\bdocs/([\w/-]+\.(md|sh|svg|png|cpp|csv)))"), [&](const std::smatch& match) {
     EXPECT_TRUE(fs::exists(tree / match[0].str())) << match[0];
     ++found;
   });
   EXPECT_GT(found, 10);
+}
+
+/// Each relative link and picture of a page leads to a file of the tree.
+TEST(Documents, LinkToFilesThatExist) {
+  std::vector<fs::path> pages = {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(tree / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(fs::relative(entry.path(), tree));
+  int found = 0;
+  for (const fs::path& page : pages)
+    each_match(content(tree / page), std::regex(R"(\]\(([^)#\s]+)[^)]*\))"), [&](const std::smatch& match) {
+      const std::string target = match[1];
+      if (target.find("://") != target.npos) return;
+      EXPECT_TRUE(fs::exists(tree / page.parent_path() / target)) << page << ": " << match[0];
+      ++found;
+    });
+  EXPECT_GT(found, 50);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ struct Ensemble {
   double time_step = 0;   ///< [t_c]
 };
 
-/// Runs what is missing and prints the row that docs/verification.md has.
+/// Runs what is missing and prints the row that docs/results/verification.md has.
 Ensemble ensemble_of(const Arm& arm) {
   Ensemble e;
   const Protocol protocol =
@@ -181,8 +181,8 @@ TEST(NightlyPublished, BidisperseWithoutFriction) {
 constexpr double published_without_friction = 0.638;
 constexpr double published_with_friction = 0.588;  ///< of 0.3
 
-/// Inertia and drag of the cell move phi_J by less than 0.01 from the published value (docs/verification.md
-/// has the table).
+/// Inertia and drag of the cell move phi_J by less than 0.01 from the published value
+/// (docs/results/verification.md has the table).
 class CellProtocol : public testing::TestWithParam<const char*> {};
 
 TEST_P(CellProtocol, KeepsPhiWithinAHundredthOfThePublished) {
@@ -234,7 +234,7 @@ TEST_P(ContactIntegrator, MovesPhi) {
   fmt::print("| difference at alpha {}, f_s {} | | {:.4f} +- {:.4f} | | | |\n", m.ratio, m.fraction, d.mean,
              d.half_width);
   EXPECT_LT(std::abs(d.mean),
-            0.02);  // twice what the protocol moves phi_J with friction (docs/verification.md)
+            0.02);  // twice what the protocol moves phi_J with friction (docs/results/verification.md)
 }
 
 INSTANTIATE_TEST_SUITE_P(Nightly, ContactIntegrator,

@@ -82,10 +82,10 @@ Command schema_command() {
   return {
       .name = "schema",
       .does = "list every key of the case file with type, unit, default and range",
-      .example = "furnas schema --markdown > docs/case-file.md",
+      .example = "furnas schema --markdown > docs/reference/case-file.md",
       .setup =
           [options](CommandLine& app) {
-            app.flag("--markdown", options->markdown, "as the page docs/case-file.md");
+            app.flag("--markdown", options->markdown, "as the page docs/reference/case-file.md");
           },
       .run =
           [options](Console console) {

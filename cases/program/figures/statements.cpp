@@ -14,7 +14,7 @@ std::string text_of(const MeanInterval& m) {
 }
 
 /// Half of the interval of phi_J. A lone sample has none: of 1000 large spheres it is known how they scatter
-/// (twice the standard deviation of docs/verification.md), of fewer nothing is said.
+/// (twice the standard deviation of docs/results/verification.md), of fewer nothing is said.
 double reach_of(const Point& point) {
   constexpr double scatter = 0.004;
   constexpr std::int64_t many = 1000;
@@ -335,7 +335,7 @@ Statement rises_and_falls(const Study& study) {
 
 std::vector<Statement> statements_of(const Study& study) {
   // Without friction 1000 spheres lie 0.002 below large samples; with it the protocol moves phi_J by up to
-  // 0.01 (docs/verification.md).
+  // 0.01 (docs/results/verification.md).
   return {mono(study, 0, 0.638, 0.004),
           mono(study, 0.3, 0.588, 0.01),
           rises_and_falls(study),

@@ -51,10 +51,11 @@ TEST(SampleTable, ReadsQuotedCells) {
   EXPECT_EQ(read_sample_table(folder / "").rows.at(0).reason, "all steps are spent, it waits");
 }
 
-/// The tables of furnas 0.2.0 in docs/study, byte for byte.
+/// The tables of furnas 0.2.0 in docs/results/study, byte for byte.
 TEST(SampleTable, ReadsAndWritesThoseOfTheStudy) {
   for (const char* name : {"alpha_5", "alpha_20", "mono"}) {
-    const std::filesystem::path folder = std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/study" / name;
+    const std::filesystem::path folder =
+        std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/results/study" / name;
     EXPECT_EQ(csv(read_sample_table(folder)), content(folder / sample_table_name)) << name;
   }
 }

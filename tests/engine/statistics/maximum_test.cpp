@@ -42,8 +42,8 @@ TEST(Maximum, OfAParabolaIsItsVertex) {
   EXPECT_NEAR(find_maximum(s.x, s.y).at, 0.27, 0.006);
 }
 
-/// Seeds on which the rule was not chosen (docs/decisions.md). An interval that holds it in 95 % of all cases
-/// does so in fewer than 88 of 100 once in a thousand.
+/// Seeds on which the rule was not chosen (docs/developer/decisions/place-of-a-maximum.md). An interval that
+/// holds it in 95 % of all cases does so in fewer than 88 of 100 once in a thousand.
 TEST(Maximum, IntervalHoldsItAsOftenAsItSays) {
   const FurnasModel model{0.6};
   int held = 0;

@@ -13,8 +13,8 @@ run runs/bidisperse_5 bidisperse_5
 run runs/first_packing first_packing
 run runs/mixed first_packing --set mixture.size_ratio=5.0 --set mixture.small_fraction=0.45 --set mixture.large=10
 
-./furnas render runs/bidisperse_5 --size 900 --out docs/bidisperse_5.png
-./furnas render runs/first_packing --style chains --size 600 --out docs/chains.png
-./furnas render runs/mixed --colour rattlers --slice z=0.3:0.7 --size 600 --out docs/rattlers.png
+./furnas render runs/bidisperse_5 --size 900 --out docs/guide/images/bidisperse_5.png
+./furnas render runs/first_packing --style chains --size 600 --out docs/guide/images/chains.png
+./furnas render runs/mixed --colour rattlers --slice z=0.3:0.7 --size 600 --out docs/guide/images/rattlers.png
 ./furnas analyze runs/first_packing
-cp runs/first_packing/pair_correlation.png docs/
+cp runs/first_packing/pair_correlation.png docs/guide/images/

@@ -1,4 +1,5 @@
-// Jams 1000 equal spheres with friction and says how dense they are; docs/library.md tells how to build it.
+// Jams 1000 equal spheres with friction and says how dense they are; docs/reference/library.md tells how to
+// build it.
 
 #include <iostream>
 
