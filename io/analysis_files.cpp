@@ -17,20 +17,26 @@ double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-Json as_json(const Coordination& c) {
+/// A count of one species; null where there are none to tell apart.
+Json of_species(const Analysis& a, std::int64_t count) {
+  return a.has_species() ? Json(count) : Json(nullptr);
+}
+
+Json as_json(const Coordination& c, const Analysis& a) {
   const auto of = [&](Species species, std::int64_t count) {
-    if (count == 0) return Json(nullptr);
+    if (count == 0 || !a.has_species()) return Json(nullptr);
     return Json{{"with_large", c.of(species, Species::large)},
                 {"with_small", c.of(species, Species::small)},
                 {"with_all", c.of(species)}};
   };
   return {{"Z", c.mean()},
-          {"large", c.large},
-          {"small", c.small},
+          {"particles", c.particles()},
+          {"large", of_species(a, c.large)},
+          {"small", of_species(a, c.small)},
           {"contacts", c.all_contacts()},
-          {"large_large_contacts", c.contacts[0]},
-          {"large_small_contacts", c.contacts[1]},
-          {"small_small_contacts", c.contacts[2]},
+          {"large_large_contacts", of_species(a, c.contacts[0])},
+          {"large_small_contacts", of_species(a, c.contacts[1])},
+          {"small_small_contacts", of_species(a, c.contacts[2])},
           {"contacts_of_a_large_sphere", of(Species::large, c.large)},
           {"contacts_of_a_small_sphere", of(Species::small, c.small)}};
 }
@@ -60,14 +66,14 @@ Json as_json(const ContactAnalysis& c) {
 }
 
 Json as_json(const NetworkAnalysis& n, const Analysis& a) {
-  Json json = {{"coordination", as_json(n.coordination)},
+  Json json = {{"coordination", as_json(n.coordination, a)},
                {"backbone_threshold", a.backbone_threshold},
-               {"backbone_coordination", as_json(n.backbone_coordination)}};
+               {"backbone_coordination", as_json(n.backbone_coordination, a)}};
   for (const RattlerSensitivity& row : n.rattlers)
     json["rattlers"].push_back({{"least_contacts", row.count.least_contacts},
                                 {"live_force_share", row.share},
-                                {"large", row.count.large},
-                                {"small", row.count.small},
+                                {"large", of_species(a, row.count.large)},
+                                {"small", of_species(a, row.count.small)},
                                 {"backbone", row.count.backbone},
                                 {"contacts", row.count.contacts},
                                 {"coordination", row.count.coordination}});
@@ -99,11 +105,16 @@ std::string summary(const AnalysisRecord& r) {
                {"step", r.step},
                {"phi_J", r.phi_J ? Json(*r.phi_J) : Json(nullptr)},
                {"phi", a.phi},
-               {"small_fraction", a.small_fraction},
-               {"phi_L", a.phi_large},
-               {"phi_S", a.phi_small},
-               {"large", a.large},
-               {"small", a.small},
+               {"small_fraction", a.mixture ? Json(a.mixture->small_fraction) : Json(nullptr)},
+               {"phi_L", a.mixture ? Json(a.mixture->phi_large) : Json(nullptr)},
+               {"phi_S", a.mixture ? Json(a.mixture->phi_small) : Json(nullptr)},
+               {"particles", a.large + a.small},
+               {"large", of_species(a, a.large)},
+               {"small", of_species(a, a.small)},
+               {"polydisperse", a.polydisperse},
+               {"sizes", a.sizes.count},
+               {"smallest_diameter", a.sizes.smallest},
+               {"largest_diameter", a.sizes.largest},
                {"friction", a.friction},
                {"contacts_are", !a.network                ? Json(nullptr)
                                 : r.contacts_are_overlaps ? Json("overlaps")
@@ -118,6 +129,10 @@ std::string coordination_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
   std::string text = "particles,species,count,contacts_with_large,contacts_with_small,contacts\n";
   const auto rows = [&](const char* particles, const Coordination& c) {
+    if (!r.analysis.has_species()) {
+      text += fmt::format("{},all,{},,,{}\n", particles, c.particles(), c.mean());
+      return;
+    }
     if (c.large > 0)
       text += fmt::format("{},large,{},{},{},{}\n", particles, c.large, c.of(Species::large, Species::large),
                           c.of(Species::large, Species::small), c.of(Species::large));
@@ -134,10 +149,15 @@ std::string rattlers_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
   std::string text =
       "least_contacts,live_force_share,large,small,large_share,small_share,backbone,contacts,coordination\n";
-  for (const auto& [live_share, c] : r.analysis.network->rattlers)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", c.least_contacts, live_share, c.large, c.small,
-                        share(c.large, r.analysis.large), share(c.small, r.analysis.small), c.backbone,
+  const Analysis& a = r.analysis;
+  for (const auto& [live_share, c] : a.network->rattlers) {
+    const std::string of_species =
+        a.has_species()
+            ? fmt::format("{},{},{},{}", c.large, c.small, share(c.large, a.large), share(c.small, a.small))
+            : ",,,";
+    text += fmt::format("{},{},{},{},{},{}\n", c.least_contacts, live_share, of_species, c.backbone,
                         c.contacts, c.coordination);
+  }
   return text;
 }
 

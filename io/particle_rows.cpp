@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/base/require.h"
+#include "engine/state/species.h"
 #include "engine/state/validate.h"
 
 namespace furnas {
@@ -55,15 +56,6 @@ void check_edges(const TextReader& reader, const Triangle& h) {
 bool wrap(const Vec3<double>& place, Fraction& fraction, Image& image) {
   return wrap_one(place.x, fraction.x, image[0]) && wrap_one(place.y, fraction.y, image[1]) &&
          wrap_one(place.z, fraction.z, image[2]);
-}
-
-std::vector<Species> species_by_size(const std::vector<double>& radius) {
-  std::vector<Species> species(radius.size(), Species::large);
-  if (radius.empty()) return species;
-  const double least = *std::max_element(radius.begin(), radius.end()) * (1 - 1e-6);
-  for (std::size_t k = 0; k < radius.size(); ++k)
-    if (radius[k] < least) species[k] = Species::small;
-  return species;
 }
 
 Packing assemble(const TextReader& reader, const Triangle& edges, std::vector<ParticleRow> rows) {

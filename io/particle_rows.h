@@ -34,9 +34,6 @@ void check_edges(const TextReader& reader, const Triangle& edges);
 /// `image`; false if there are more than an image can count.
 bool wrap(const Vec3<double>& place, Fraction& fraction, Image& image);
 
-/// The largest spheres are `large`, all others `small`; sizes that differ by less than a millionth are one.
-std::vector<Species> species_by_size(const std::vector<double>& radius);
-
 /// The packing of these particles in order of id; throws InputError for an id that occurs twice and for a
 /// particle farther away than an image can count.
 Packing assemble(const TextReader& reader, const Triangle& edges, std::vector<ParticleRow> rows);

@@ -12,15 +12,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
 
+/// A count of one species; null where there are none to tell apart.
+Json of_species(const Result& r, std::int64_t count) { return r.has_species() ? Json(count) : Json(nullptr); }
+
 Json rattlers(const Result& r) {
   Json all = Json::array();
   for (const RattlerCount& c : r.measures.rattlers) {
-    const auto share = [](std::int64_t part, std::int64_t whole) {
-      return whole > 0 ? Json(static_cast<double>(part) / static_cast<double>(whole)) : Json(nullptr);
+    const auto share = [&](std::int64_t part, std::int64_t whole) {
+      return whole > 0 && r.has_species() ? Json(static_cast<double>(part) / static_cast<double>(whole))
+                                          : Json(nullptr);
     };
     all.push_back({{"least_contacts", c.least_contacts},
-                   {"large", c.large},
-                   {"small", c.small},
+                   {"large", of_species(r, c.large)},
+                   {"small", of_species(r, c.small)},
                    {"large_share", share(c.large, r.large)},
                    {"small_share", share(c.small, r.small)},
                    {"backbone", c.backbone},
@@ -117,8 +121,9 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"mean_force", m.mean_force},
       {"resting_states", reached(r)},
       {"particles", r.large + r.small},
-      {"large", r.large},
-      {"small", r.small},
+      {"large", of_species(r, r.large)},
+      {"small", of_species(r, r.small)},
+      {"polydisperse", r.polydisperse},
       {"cell", cell(m.cell.edges)},
       {"thickness_in_largest_diameters", r.thickness()},
       {"law", c.contact.friction > 0 ? c.contact.law : c.contact.law + " without friction"},

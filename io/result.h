@@ -26,6 +26,7 @@ struct Result {
   std::int64_t flips{};                    ///< times the cell was flipped
   std::uint64_t state_hash{};              ///< of the final state
   std::int64_t large{}, small{};           ///< particles of each species
+  bool polydisperse{};                     ///< spheres of one species differ in size
   double largest_diameter{};               ///< [d_s]
   double time_step{};                      ///< [time]
   double pressure{};                       ///< of the bath at the end [k_n/d_s]
@@ -37,6 +38,9 @@ struct Result {
   /// Least distance between opposite faces of the cell, in diameters of the largest sphere. A packing that is
   /// few of them thick says little about a large one.
   double thickness() const;
+
+  /// Whether it means something to be large or small: not where spheres of many sizes are one species.
+  bool has_species() const { return !polydisperse || (large > 0 && small > 0); }
 
   /// phi_J, which only a jammed packing has.
   std::optional<double> phi_J() const;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/state/species.h"
 #include "io/particle_rows.h"
 #include "io/vtp_reader.h"
 #include "io/vtp_writer.h"

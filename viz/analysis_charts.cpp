@@ -21,15 +21,15 @@ const Look& look_of(const std::optional<PairKind>& kind) {
   static const std::array<Look, 3> looks{{{blue, Marker::square, LineStyle::solid},
                                           {green, Marker::diamond, LineStyle::dashed},
                                           {vermilion, Marker::cross, LineStyle::dotted}}};
-  return looks[static_cast<std::size_t>(kind.value())];
+  return looks[static_cast<std::size_t>(kind.value_or(PairKind::large_large))];
 }
 
-/// Those of one kind each; all together they would only hide them.
+/// Those of one kind each, which all together would only hide; all together where there are no kinds.
 template <class List>
 std::vector<const typename List::value_type*> kinds_of(const List& all) {
   std::vector<const typename List::value_type*> kinds;
   for (const auto& each : all)
-    if (each.kind) kinds.push_back(&each);
+    if (each.kind || all.size() == 1) kinds.push_back(&each);
   return kinds;
 }
 
@@ -96,13 +96,14 @@ Chart rattlers_chart(const Analysis& a) {
   chart.x.logarithmic = true;
   chart.y.low = 0;
   constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::diamond};
+  const bool told_apart = a.has_species() && a.small > 0;
   for (const Species species : {Species::large, Species::small}) {
     const bool large = species == Species::large;
     const auto whole = static_cast<double>(large ? a.large : a.small);
     if (whole == 0) continue;
     for (std::size_t n = 0; n < 3; ++n) {
       const int least = static_cast<int>(n) + 2;
-      const char* const who = a.small == 0 ? "" : large ? "large, " : "small, ";
+      const char* const who = !told_apart ? "" : large ? "large, " : "small, ";
       bool backbone_is_left = false;
       Series s{fmt::format("{}fewer than {} contacts", who, least), {},        {}, {}, series_colours[n],
                large ? LineStyle::solid : LineStyle::dashed,        markers[n]};

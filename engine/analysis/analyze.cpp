@@ -26,6 +26,7 @@ NetworkAnalysis analyze_network(const Packing& p, const AnalysisOptions& options
   found.rattlers = rattler_sensitivity(p, {live_force_shares.begin(), live_force_shares.end()});
   found.fabric.push_back(fabric(p, all));
   found.backbone.push_back(analyze_contacts(p, backbone, {}, options));
+  if (is_one_polydisperse_species(p)) return found;
   for (const PairKind kind : pair_kinds) {
     found.fabric.push_back(fabric(p, of_kind(p, all, kind)));
     const Selection some = of_kind(p, backbone, kind);
@@ -46,10 +47,13 @@ Analysis analyze(const Packing& p, const AnalysisOptions& options) {
     volume += cube;
     if (large) large_volume += cube;
   }
+  found.sizes = sizes_of(p.radius);
+  found.polydisperse = is_polydisperse(p);
   found.phi = p.fraction_filled();
-  found.small_fraction = found.small == 0 ? 0 : 1 - large_volume / volume;
-  found.phi_large = fraction_of_large(found.phi, found.small_fraction);
-  found.phi_small = fraction_in_voids(found.phi, found.small_fraction);
+  if (!found.polydisperse) {
+    const double f_s = found.small == 0 ? 0 : 1 - large_volume / volume;
+    found.mixture = {f_s, fraction_of_large(found.phi, f_s), fraction_in_voids(found.phi, f_s)};
+  }
   found.backbone_threshold = options.backbone_threshold;
   found.friction = options.friction;
   if (!p.contacts.empty()) found.network = analyze_network(p, options);

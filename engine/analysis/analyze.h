@@ -10,6 +10,7 @@
 #include "engine/analysis/force_distribution.h"
 #include "engine/analysis/pair_correlation.h"
 #include "engine/analysis/rattlers.h"
+#include "engine/state/species.h"
 
 namespace furnas {
 
@@ -34,22 +35,33 @@ struct NetworkAnalysis {
   Coordination coordination;           ///< of all particles
   Coordination backbone_coordination;  ///< of the particles that are no rattlers
   std::vector<RattlerSensitivity> rattlers;
-  std::vector<Fabric> fabric;  ///< of all contacts: together, then by PairKind
-  std::vector<ContactAnalysis>
-      backbone;  ///< of the backbone's contacts: together, then each kind that occurs
+  std::vector<Fabric> fabric;  ///< of all contacts: together, then by PairKind, as below
+  /// Of the backbone's contacts: together, then each kind that occurs; none if the spheres are one species of
+  /// many sizes.
+  std::vector<ContactAnalysis> backbone;
+};
+
+/// The two species in the cell, where each has one size.
+struct MixtureFractions {
+  double small_fraction{};  ///< f_s, share of the small spheres in the volume of all
+  double phi_large{};       ///< phi_L = phi (1 - f_s)
+  double phi_small{};       ///< phi_S = f_s phi/(1 - phi (1 - f_s))
 };
 
 /// What a packing is made of and how it hangs together.
 struct Analysis {
-  std::int64_t large{}, small{};           ///< particles
-  double phi{};                            ///< packing fraction
-  double small_fraction{};                 ///< f_s, share of the small spheres in the volume of all
-  double phi_large{};                      ///< phi_L = phi (1 - f_s)
-  double phi_small{};                      ///< phi_S = f_s phi/(1 - phi (1 - f_s))
-  int backbone_threshold{};                ///< as it was asked for
-  double friction{};                       ///< as it was asked for
-  std::optional<NetworkAnalysis> network;  ///< nothing without contacts
-  std::vector<PairCorrelation> pairs;      ///< of each kind, then of all
+  std::int64_t large{}, small{};            ///< particles of each species
+  Sizes sizes;                              ///< of the spheres
+  bool polydisperse{};                      ///< spheres of one species differ in size
+  double phi{};                             ///< packing fraction
+  std::optional<MixtureFractions> mixture;  ///< nothing for a polydisperse packing
+  int backbone_threshold{};                 ///< as it was asked for
+  double friction{};                        ///< as it was asked for
+  std::optional<NetworkAnalysis> network;   ///< nothing without contacts
+  std::vector<PairCorrelation> pairs;       ///< of each kind, then of all
+
+  /// Whether it means something to be large or small: not where spheres of many sizes are one species.
+  bool has_species() const { return !polydisperse || (large > 0 && small > 0); }
 };
 
 /// Shares of the mean normal force at which analyze() counts rattlers.

@@ -9,6 +9,7 @@
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
 #include "engine/search/grid.h"
+#include "engine/state/species.h"
 
 namespace furnas {
 namespace {
@@ -53,6 +54,8 @@ Counts count_distances(const Triangle& edges, const Group& from, const Group& to
                        double width, std::size_t bins) {
   // Places are rounded to 2^-53 of the cell; none may be lost to that.
   constexpr double tolerance = 1e-9;
+  const Vec3<double> faces = heights(edges);
+  const double itself = tolerance * std::min({faces.x, faces.y, faces.z});  // nearer than any image
   const Grid grid = make_grid(edges, (1 + tolerance) * reach, to.places, 0, to.size());
   constexpr std::size_t most_chunks = 64;
   const std::size_t size = from.origins() / most_chunks + 1;
@@ -66,8 +69,8 @@ Counts count_distances(const Triangle& edges, const Group& from, const Group& to
       visit_ball(grid, edges, here, grid.cutoff,
                  [&](const Placed* at, const Placed* last, const Vec3<double>& image) {
                    for (; at < last; ++at) {
-                     if (same && at->index == me) continue;
                      const double distance = norm(edges * (at->fraction + image - here));
+                     if (same && at->index == me && distance < itself) continue;
                      const auto bin = static_cast<std::size_t>(distance / width);
                      if (bin < bins) ++counts[bin];
                    }
@@ -98,16 +101,16 @@ void lay_edges(PairCorrelation& found, double width) {
     found.edges.push_back(static_cast<double>(b) * width);
 }
 
-PairCorrelation of_one_kind(PairKind kind, const Group& from, const Group& to, Counts counts, double width,
-                            double volume) {
+PairCorrelation of_one_kind(std::optional<PairKind> kind, const Group& from, const Group& to, Counts counts,
+                            double width, double volume) {
   PairCorrelation found;
   found.kind = kind;
   found.contact = 0.5 * (from.diameter + to.diameter);
   found.origins = static_cast<std::int64_t>(from.origins());
   found.counts = std::move(counts);
   lay_edges(found, width);
-  const bool same = kind != PairKind::large_small;
-  const double partners = static_cast<double>(to.size()) - (same ? 1 : 0);
+  const bool same = &from == &to;
+  const auto partners = static_cast<double>(to.size());
   // A pair of two origins of one species was met from both ends.
   const double spread = same ? 1 + 1 / from.weight() : 1;
   double met = 0;
@@ -147,8 +150,8 @@ PairCorrelation of_all(const std::array<Group, 2>& groups, const std::array<Coun
       pairs += weights[k] * count;
       variance += weights[k] * weights[k] * spreads[k] * count;
     }
-    const double expected = particles * (particles - 1) / volume *
-                            (sphere_volume(found.edges[b + 1]) - sphere_volume(found.edges[b]));
+    const double expected =
+        particles * particles / volume * (sphere_volume(found.edges[b + 1]) - sphere_volume(found.edges[b]));
     met += pairs;
     found.g.push_back(pairs / expected);
     found.error.push_back(std::sqrt(variance) / expected);
@@ -179,13 +182,14 @@ double chosen_reach(const Packing& p) {
 
 std::vector<PairCorrelation> pair_correlation(const Packing& p, const PairCorrelationOptions& options) {
   const double reach = options.reach > 0 ? options.reach : chosen_reach(p);
-  if (p.size() < 2) return {};
+  if (p.size() == 0) return {};
   check(p, reach, options.bin);
   const std::array<Group, 2> groups = groups_of(p, reach, options.most_pairs);
   const double volume = p.cell.volume();
   const auto bins = static_cast<std::size_t>(std::floor(reach / options.bin * (1 + 1e-12)));
   const double smallest = std::min(groups[0].size() > 0 ? groups[0].diameter : INFINITY,
                                    groups[1].size() > 0 ? groups[1].diameter : INFINITY);
+  const bool no_kinds = is_one_polydisperse_species(p);
   std::array<Counts, 3> counts;
   std::vector<PairCorrelation> all;
   for (const PairKind kind : pair_kinds) {
@@ -194,11 +198,12 @@ std::vector<PairCorrelation> pair_correlation(const Packing& p, const PairCorrel
     const bool same = &from == &to;
     Counts& fine = counts[static_cast<std::size_t>(kind)];
     fine.resize(bins);
-    if (from.size() == 0 || to.size() < (same ? 2U : 1U)) continue;
+    if (from.size() == 0 || to.size() == 0) continue;
     fine = count_distances(p.cell.edges, from, to, same, reach, options.bin, bins);
     const auto merged =
         static_cast<std::size_t>(std::max(1.0, std::floor(0.5 * (from.diameter + to.diameter) / smallest)));
-    all.push_back(of_one_kind(kind, from, to, coarser(fine, std::min(merged, bins)),
+    all.push_back(of_one_kind(no_kinds ? std::nullopt : std::optional(kind), from, to,
+                              coarser(fine, std::min(merged, bins)),
                               static_cast<double>(std::min(merged, bins)) * options.bin, volume));
   }
   if (groups[0].size() > 0 && groups[1].size() > 0)

@@ -17,8 +17,8 @@ struct PairCorrelationOptions {
 
 /// g(r): how many centres lie at a distance, over how many would if all lay at random.
 ///
-/// All images of all other particles count, so that g is right at any distance in any cell; the images of a
-/// particle itself, which say only how large the cell is, do not.
+/// All images of all particles count, those of the particle itself, too, as with contacts: a packing has the
+/// same g in its cell and in any larger one that repeats it.
 struct PairCorrelation {
   std::optional<PairKind> kind;  ///< nothing: all particles, whatever their species
   double contact{};           ///< d_ab, mean diameter of the two species [d_s]; of all particles if no kind
@@ -32,8 +32,9 @@ struct PairCorrelation {
   double centre(std::size_t bin) const { return 0.5 * (edges[bin] + edges[bin + 1]); }
 };
 
-/// Of each kind of which there are pairs, then of all where there are two species. Throws InputError when the
-/// reach spans more than ten cells, or the bins are too many.
+/// Of each kind of which there are pairs, then of all where there are two species; only of all where spheres
+/// of many sizes are one species. Throws InputError when the reach spans more than ten cells, or the bins are
+/// too many.
 std::vector<PairCorrelation> pair_correlation(const Packing& packing,
                                               const PairCorrelationOptions& options = {});
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <ostream>
 
+#include "engine/state/species.h"
 #include "io/atomic_file.h"
 #include "io/case_file.h"
 #include "io/formats.h"
-#include "io/particle_rows.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/io/packings.h"
 

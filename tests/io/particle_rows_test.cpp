@@ -27,13 +27,6 @@ TEST(Wrap, RefusesWhatCannotBeCounted) {
   EXPECT_FALSE(wrap({5e8, 0, 0}, fraction, image));
 }
 
-TEST(SpeciesBySize, TheLargestSizeIsLarge) {
-  using enum Species;
-  EXPECT_EQ(species_by_size({0.5, 1.5, 1.5 - 1e-9, 0.5}), (std::vector{small, large, large, small}));
-  EXPECT_EQ(species_by_size({0.5, 0.5}), (std::vector{large, large}));
-  EXPECT_TRUE(species_by_size({}).empty());
-}
-
 TEST(InEdges, IsTheInverseOfTheEdges) {
   const Packing p = random_packing(3);
   const Vec3<double> s{0.3, -0.7, 5.1};

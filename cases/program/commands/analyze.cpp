@@ -88,6 +88,11 @@ std::string contacts_text(const Coordination& c) {
   return text;
 }
 
+std::string rattlers_text(const RattlerCount& out, const Analysis& a) {
+  if (!a.has_species()) return fmt::format("{} of {}", out.large + out.small, a.large + a.small);
+  return fmt::format("{} of {} large, {} of {} small", out.large, a.large, out.small, a.small);
+}
+
 std::string network_text(const Analysis& a) {
   const NetworkAnalysis& n = *a.network;
   const Coordination &all = n.coordination, &backbone = n.backbone_coordination;
@@ -95,12 +100,15 @@ std::string network_text(const Analysis& a) {
   std::string text =
       fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
                   all.mean(), backbone.mean(), backbone.particles(), backbone.all_contacts());
-  if (a.small > 0) text += fmt::format("contacts  {}\n", contacts_text(all));
-  if (a.small > 0 && backbone.particles() > 0)
-    text += fmt::format("          in the backbone: {}\n", contacts_text(backbone));
+  if (a.small > 0 && a.has_species()) {
+    text += fmt::format("contacts  {}\n", contacts_text(all));
+    if (backbone.particles() > 0)
+      text += fmt::format("          in the backbone: {}\n", contacts_text(backbone));
+  }
   text +=
-      fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
-                  a.large - backbone.large, a.large, a.small - backbone.small, a.small, a.backbone_threshold);
+      fmt::format("rattlers  {} (fewer than {} live contacts)\n",
+                  rattlers_text({.large = a.large - backbone.large, .small = a.small - backbone.small}, a),
+                  a.backbone_threshold);
   text += fmt::format("forces    mean normal force of the backbone {:.4g}, largest {:.3g} times the mean\n",
                       together.normal.mean,
                       together.normal.mean > 0 ? together.normal.largest / together.normal.mean : 0);
@@ -121,11 +129,16 @@ std::string network_text(const Analysis& a) {
 
 std::string summary(const AnalysisRecord& record) {
   const Analysis& a = record.analysis;
-  std::string text = fmt::format("phi       {:.5f}{}; {} large, {} small\n", a.phi,
-                                 record.phi_J ? " (phi_J: jammed)" : "", a.large, a.small);
-  if (a.small > 0)
-    text += fmt::format("furnas    f_s {:.4f}, phi_L {:.5f}, phi_S {:.5f}\n", a.small_fraction, a.phi_large,
-                        a.phi_small);
+  std::string text = fmt::format("phi       {:.5f}{}; {}\n", a.phi, record.phi_J ? " (phi_J: jammed)" : "",
+                                 a.has_species() ? fmt::format("{} large, {} small", a.large, a.small)
+                                                 : fmt::format("{} spheres", a.large + a.small));
+  if (a.polydisperse)
+    text += fmt::format(
+        "sizes     {} from {:.6g} to {:.6g}: polydisperse, so that there are no f_s, phi_L, phi_S\n",
+        a.sizes.count, a.sizes.smallest, a.sizes.largest);
+  if (a.mixture && a.small > 0)
+    text += fmt::format("furnas    f_s {:.4f}, phi_L {:.5f}, phi_S {:.5f}\n", a.mixture->small_fraction,
+                        a.mixture->phi_large, a.mixture->phi_small);
   if (record.contacts_are_overlaps)
     text +=
         a.network

@@ -14,6 +14,7 @@
 #include "engine/base/require.h"
 #include "engine/protocol/run.h"
 #include "engine/state/fingerprint.h"
+#include "engine/state/species.h"
 #include "engine/state/validate.h"
 #include "io/atomic_file.h"
 #include "io/case_file.h"
@@ -160,6 +161,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.flips = run_->flips();
   result.state_hash = state_hash(now.packing());
   for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);
+  result.polydisperse = is_polydisperse(now.packing());
   const auto& radii = now.packing().radius;
   result.largest_diameter = 2 * *std::max_element(radii.begin(), radii.end());
   const Model& model = run_->simulation().model();
@@ -263,8 +265,12 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   text +=
       fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
                   m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
-  text += fmt::format("rattlers  {} of {} large, {} of {} small (fewer than {} live contacts)\n",
-                      backbone.large, r.large, backbone.small, r.small, m.backbone_threshold);
+  text += fmt::format(
+      "rattlers  {} (fewer than {} live contacts)\n",
+      r.has_species()
+          ? fmt::format("{} of {} large, {} of {} small", backbone.large, r.large, backbone.small, r.small)
+          : fmt::format("{} of {}", backbone.large + backbone.small, r.large + r.small),
+      m.backbone_threshold);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
                       remark_on_thickness(r.thickness()));
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,

@@ -45,6 +45,9 @@ const std::vector<std::string> columns{"seed",
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : unknown; }
 
+/// A count; 0 where it is null, as those of species are in a polydisperse packing.
+std::int64_t count_in(const Json& value) { return value.is_null() ? 0 : value.get<std::int64_t>(); }
+
 /// The last line that a process printed.
 std::string last_line(const fs::path& log) {
   std::ifstream file(log);
@@ -67,8 +70,8 @@ SampleRow row_of_case(const Sample& sample) {
 }
 
 void take_result(SampleRow& row, const Json& r) {
-  row.large = r.at("large");
-  row.small = r.at("small");
+  row.large = count_in(r.at("large"));
+  row.small = count_in(r.at("small"));
   row.verdict = r.at("verdict");
   row.reason = r.at("reason");
   row.phi_J = number(r.at("phi_J"));
@@ -79,8 +82,8 @@ void take_result(SampleRow& row, const Json& r) {
   for (const Json& count : r.at("rattlers")) {
     const int least = count.at("least_contacts");
     const auto n = static_cast<std::size_t>(least - 2);
-    row.large_rattlers.at(n) = count.at("large");
-    row.small_rattlers.at(n) = count.at("small");
+    row.large_rattlers.at(n) = count_in(count.at("large"));
+    row.small_rattlers.at(n) = count_in(count.at("small"));
     if (least == threshold) row.backbone = number(count.at("backbone"));
   }
   if (row.settled()) row.phi_bound = number(r.at("phi_bound"));

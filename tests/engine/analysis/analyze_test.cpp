@@ -62,10 +62,12 @@ TEST(Analyze, ThePartsFillTheWhole) {
   const Analysis a = analyze(packing_of(cube(10), balls), {});
   EXPECT_EQ(a.large, 1);
   EXPECT_EQ(a.small, 5);
-  EXPECT_DOUBLE_EQ(a.phi_large, mass_of(2) / 1000);
-  EXPECT_DOUBLE_EQ(a.phi_small, 5 * mass_of(0.5) / (1000 - mass_of(2)));
-  EXPECT_DOUBLE_EQ(a.small_fraction, 5 * mass_of(0.5) / (mass_of(2) + 5 * mass_of(0.5)));
-  EXPECT_DOUBLE_EQ(a.phi_large + a.phi_small * (1 - a.phi_large), a.phi);
+  ASSERT_TRUE(a.mixture);
+  const auto& [small_fraction, phi_large, phi_small] = *a.mixture;
+  EXPECT_DOUBLE_EQ(phi_large, mass_of(2) / 1000);
+  EXPECT_DOUBLE_EQ(phi_small, 5 * mass_of(0.5) / (1000 - mass_of(2)));
+  EXPECT_DOUBLE_EQ(small_fraction, 5 * mass_of(0.5) / (mass_of(2) + 5 * mass_of(0.5)));
+  EXPECT_DOUBLE_EQ(phi_large + phi_small * (1 - phi_large), a.phi);
   EXPECT_FALSE(a.network) << "nothing touches";
 }
 
@@ -80,6 +82,24 @@ TEST(Analyze, OfOneSizeHasNoSmallOnes) {
   EXPECT_NEAR(a.network->backbone[0].normal.mean, 0.05, 1e-14);
   EXPECT_FALSE(a.network->backbone[0].mobilisation) << "without friction there is no limit";
   EXPECT_EQ(a.pairs.size(), 1U);
+}
+
+/// Of 64 spheres of 64 sizes none is the large one.
+TEST(Analyze, OfManySizesHasNoSpecies) {
+  Packing p = simple_cubic(0.95, 4);
+  for (std::size_t k = 0; k < p.size(); ++k) p.radius[k] = 0.5 * (1 + 1e-3 * static_cast<double>(k));
+  p.species = species_by_size(p.radius);
+  const Analysis a = analyze(with_forces(model_of<HookeSynchronized>({}), p), {.backbone_threshold = 4});
+  EXPECT_TRUE(a.polydisperse);
+  EXPECT_FALSE(a.has_species());
+  EXPECT_FALSE(a.mixture);
+  EXPECT_EQ(a.sizes.count, 64U);
+  EXPECT_DOUBLE_EQ(a.sizes.largest, 1.063);
+  EXPECT_EQ(a.network->coordination.mean(), 6);
+  EXPECT_EQ(a.network->backbone.size(), 1U) << "all, and no kind";
+  ASSERT_EQ(a.pairs.size(), 1U);
+  EXPECT_FALSE(a.pairs[0].kind);
+  EXPECT_GT(a.phi, 0.5);
 }
 
 }  // namespace
