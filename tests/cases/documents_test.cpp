@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -57,20 +60,43 @@ TEST(Documents, AreWhereTheyAreSaidToBe) {
   EXPECT_GT(found, 10);
 }
 
-/// Each relative link and picture of a page leads to a file of the tree.
-TEST(Documents, LinkToFilesThatExist) {
+/// What GitHub and the site make of the headings of a page, to be linked to.
+std::set<std::string> anchors(const fs::path& page) {
+  std::set<std::string> all;
+  std::istringstream text(content(page));
+  bool fenced = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) fenced = !fenced;
+    if (fenced || !line.starts_with("#")) continue;
+    std::string anchor;
+    for (const unsigned char letter : line.substr(line.find(' ') + 1))
+      if (std::isalnum(letter) != 0 || letter == '_' || letter == '-')
+        anchor += static_cast<char>(std::tolower(letter));
+      else if (letter == ' ')
+        anchor += '-';
+    all.insert(anchor);
+  }
+  return all;
+}
+
+/// Each relative link and picture of a page leads to a file of the tree, and to a heading of it.
+TEST(Documents, LinkToPlacesThatExist) {
   std::vector<fs::path> pages = {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"};
   for (const auto& entry : fs::recursive_directory_iterator(tree / "docs"))
     if (entry.path().extension() == ".md") pages.push_back(fs::relative(entry.path(), tree));
   int found = 0;
   for (const fs::path& page : pages)
-    each_match(content(tree / page), std::regex(R"(\]\(([^)#\s]+)[^)]*\))"), [&](const std::smatch& match) {
-      const std::string target = match[1];
-      if (target.find("://") != target.npos) return;
-      EXPECT_TRUE(fs::exists(tree / page.parent_path() / target)) << page << ": " << match[0];
-      ++found;
-    });
-  EXPECT_GT(found, 50);
+    each_match(content(tree / page), std::regex(R"(\]\(([^)#\s]*)(?:#([^)\s]*))?\))"),
+               [&](const std::smatch& match) {
+                 if (match[1].str().find("://") != std::string::npos) return;
+                 const fs::path target =
+                     match[1].length() > 0 ? tree / page.parent_path() / match[1].str() : tree / page;
+                 EXPECT_TRUE(fs::exists(target)) << page << ": " << match[0];
+                 if (match[2].length() > 0)
+                   EXPECT_TRUE(anchors(target).contains(match[2])) << page << ": " << match[0];
+                 ++found;
+               });
+  EXPECT_GT(found, 100);
 }
 
 }  // namespace

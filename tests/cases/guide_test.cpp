@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/case_schema.h"
+#include "tests/cases/process.h"
+#include "tests/io/packings.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path checkout_root = FURNAS_SOURCE_DIR;
+
+/// The pages whose commands are run, in the order in which a new user reads them.
+const std::vector<std::string> guide_pages{"README.md",
+                                           "docs/guide/first-steps.md",
+                                           "docs/guide/case-files.md",
+                                           "docs/guide/end-of-a-run.md",
+                                           "docs/guide/stopping-and-resuming.md",
+                                           "docs/guide/analysis.md",
+                                           "docs/guide/pictures.md",
+                                           "docs/guide/sweeps.md",
+                                           "docs/guide/other-programs.md"};
+
+/// A line of a block ```sh, and what its comment says.
+struct ShownCommand {
+  std::string text;
+  double seconds{};  ///< how long it takes; 0 without a word about it
+  int code{};        ///< with which it ends
+};
+
+/// What a page shows: commands, and files, which are blocks with the name of the file as a comment on top.
+struct ShownPage {
+  std::vector<ShownCommand> commands;
+  std::map<std::string, std::string> files;
+};
+
+ShownCommand command_of(const std::string& line) {
+  static const std::regex comment(R"(\s+#.*$)"), time(R"(#.*?\b(\d+) (s|min|hours?)\b)"),
+      code(R"(exit code (\d+))");
+  ShownCommand shown{std::regex_replace(line, comment, ""), 0, 0};
+  std::smatch found;
+  if (std::regex_search(line, found, time))
+    shown.seconds = std::stod(found[1]) * (found[2] == "s" ? 1 : found[2] == "min" ? 60 : 3600);
+  if (std::regex_search(line, found, code)) shown.code = std::stoi(found[1]);
+  return shown;
+}
+
+ShownPage shown_on(const std::string& page) {
+  static const std::regex name(R"(# ([\w-]+\.[\w]+))");
+  ShownPage shown;
+  std::istringstream text(content(checkout_root / page));
+  std::string* file = nullptr;
+  bool inside = false, shell = false, first = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) {
+      inside = !inside, first = true, file = nullptr, shell = line == "```sh";
+      continue;
+    }
+    if (!inside) continue;
+    std::smatch match;
+    if (first && std::regex_match(line, match, name)) file = &shown.files[match[1]];
+    first = false;
+    if (file != nullptr) *file += line + "\n";
+    if (shell && !line.empty() && !line.starts_with("#")) shown.commands.push_back(command_of(line));
+  }
+  return shown;
+}
+
+/// A folder as a checkout looks to a reader: ./furnas, cases/ and docs/.
+class Desk {
+ public:
+  Desk() {
+    std::string pattern = (fs::temp_directory_path() / "furnas_guide_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    for (const char* name : {"cases", "docs"})
+      fs::create_directory_symlink(checkout_root / name, folder_ / name);
+    fs::create_symlink(FURNAS_PROGRAM, folder_ / "furnas");
+  }
+  ~Desk() { fs::remove_all(folder_); }
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  void put(const std::map<std::string, std::string>& files) const {
+    for (const auto& [name, text] : files) std::ofstream(folder_ / name) << text;
+  }
+
+  Ending type(const std::string& command) const {
+    Ending ending;
+    std::FILE* pipe = ::popen(("cd '" + folder_.string() + "' && exec 2>&1; " + command).c_str(), "r");
+    for (int letter = std::fgetc(pipe); letter != EOF; letter = std::fgetc(pipe))
+      ending.out += static_cast<char>(letter);
+    const int status = ::pclose(pipe);
+    ending.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return ending;
+  }
+
+  void expect(const std::string& page, const ShownCommand& shown) const {
+    const std::string program = shown.text.substr(0, shown.text.find(' '));
+    if (program != "./furnas" && type("command -v " + program).code != 0) return;  // LAMMPS is not everywhere
+    const Ending ending = type(shown.text);
+    EXPECT_EQ(ending.code, shown.code) << page << ": " << shown.text << "\n" << ending.out;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// The script at the root, which FrontDoor tests, and not the program.
+bool is_for_the_script(const ShownCommand& shown) { return shown.text.starts_with("./furnas test"); }
+
+class Guide : public testing::TestWithParam<std::string> {};
+
+/// Commands without a time on the page run as they stand. The runs that they read are made of a small case.
+TEST_P(Guide, ShortCommandsRun) {
+  const ShownPage page = shown_on(GetParam());
+  const Desk desk;
+  desk.put(page.files);
+  desk.expect(GetParam(),
+              {"./furnas run cases/smoke.toml --set output.picture=none --out runs/first_packing", 0, 0});
+  for (const ShownCommand& shown : page.commands)
+    if (shown.seconds == 0 && !is_for_the_script(shown)) desk.expect(GetParam(), shown);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, Guide, testing::ValuesIn(guide_pages), [](const auto& page) {
+  std::string name = fs::path(page.param).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+});
+
+/// All commands, in the order of the pages, but for those that take an hour and more.
+TEST(NightlyGuide, EveryCommandRuns) {
+  const Desk desk;
+  std::size_t run = 0;
+  for (const std::string& name : guide_pages) {
+    const ShownPage page = shown_on(name);
+    desk.put(page.files);
+    for (const ShownCommand& shown : page.commands)
+      if (shown.seconds < 3600 && !is_for_the_script(shown)) desk.expect(name, shown), ++run;
+  }
+  EXPECT_GT(run, 30u);
+}
+
+/// What every page of docs/ and the README show.
+std::string all_pages() {
+  std::string text = content(checkout_root / "README.md") + content(checkout_root / "CONTRIBUTING.md");
+  for (const auto& entry : fs::recursive_directory_iterator(checkout_root / "docs"))
+    if (entry.path().extension() == ".md") text += content(entry.path());
+  return text;
+}
+
+TEST(Documents, ShowOptionsThatExist) {
+  static const std::regex call(R"((?:^|\n|`| )(?:\./)?furnas ((?:bench )?[a-z]+)([^\n`#|]*))"),
+      option(R"(--[a-z][a-z-]*)");
+  const std::string text = all_pages();
+  std::map<std::string, std::string> help;
+  std::set<std::string> known;
+  const std::string commands = ending_of({"--help"}).out;
+  int found = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), call), end; at != end; ++at) {
+    const std::string command = (*at)[1], rest = (*at)[2];
+    if (rest.find("--") == rest.npos) continue;
+    if (!help.contains(command)) {
+      std::vector<std::string> words;
+      std::istringstream in(command);
+      for (std::string word; in >> word;) words.push_back(word);
+      words.push_back("--help");
+      const Ending ending = ending_of(words);
+      EXPECT_EQ(ending.code, 0) << command;
+      help[command] = ending.out;
+    }
+    for (std::sregex_iterator o(rest.begin(), rest.end(), option); o != end; ++o, ++found)
+      EXPECT_NE(help[command].find(o->str()), std::string::npos) << command << " has no " << o->str();
+  }
+  EXPECT_GT(found, 30);
+}
+
+TEST(Documents, NameCasesAndKeysThatExist) {
+  static const std::regex file(R"(\bcases/[\w/]+\.toml)"),
+      key(R"((?:`|--set )(mixture|start|contact|compaction|stop|compute|output)\.([a-z_]+)\b)");
+  std::set<std::string> keys;
+  for (const Key& k : case_keys()) keys.insert(std::string(k.table) + "." + std::string(k.name));
+  const std::string text = all_pages();
+  int found = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), file), end; at != end; ++at, ++found)
+    EXPECT_TRUE(fs::exists(checkout_root / at->str())) << at->str();
+  for (std::sregex_iterator at(text.begin(), text.end(), key), end; at != end; ++at, ++found)
+    EXPECT_TRUE(keys.contains((*at)[1].str() + "." + (*at)[2].str())) << at->str();
+  EXPECT_GT(found, 50);
+}
+
+/// docs/reference/commands.md has a row for each command, and no other.
+TEST(Documents, ListEveryCommand) {
+  const auto names = [](const std::string& text, const std::string& pattern) {
+    std::set<std::string> all;
+    const std::regex row(pattern);
+    for (std::sregex_iterator at(text.begin(), text.end(), row), end; at != end; ++at) all.insert((*at)[1]);
+    return all;
+  };
+  const std::string help = ending_of({"--help"}).out;
+  const std::size_t from = help.find("Commands:"), to = help.find("furnas COMMAND");
+  ASSERT_NE(to, help.npos);
+  const auto offered = names(help.substr(from, to - from), R"(\n  ([a-z]+) )");
+  EXPECT_GT(offered.size(), 10u);
+  EXPECT_EQ(names(content(checkout_root / "docs/reference/commands.md"), R"(\n\| `([a-z]+)[ `])"), offered);
+}
+
+}  // namespace
+}  // namespace furnas
