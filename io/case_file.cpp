@@ -117,8 +117,8 @@ void read_keys(const toml::table& root, const std::string& name, Case& c, Places
 }
 
 /// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
-/// number wrong. So what seems wrong is read once more. It is not told the name of the file, which it would
-/// copy where it may not throw.
+/// number wrong. So a text that seems wrong is read once more. toml++ is not given the name of the file,
+/// which it would copy where it may not throw.
 toml::table parse_toml(std::string_view text) {
   try {
     return toml::parse(text);
