@@ -224,13 +224,19 @@ Case case_in(const toml::table& root, const std::filesystem::path& file,
   if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
-  if (!c.start.file.empty()) {
-    if (!std::filesystem::is_regular_file(c.start.file))
-      throw InputError(fmt::format("{}: start.file = \"{}\" is not a file; allowed: the path of a packing",
-                                   places.at("start.file"), c.start.file));
-    c.start.file = std::filesystem::absolute(c.start.file).lexically_normal().string();
-  }
+  if (!c.start.file.empty())
+    c.start.file =
+        start_path({}, c.start.file, places.at("start.file"));  // one of an override lies where we are
   return c;
+}
+
+std::string start_path(const std::filesystem::path& case_file, const std::string& start,
+                       const std::string& place) {
+  const std::filesystem::path path = case_file.parent_path() / start;
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(fmt::format("{}: start.file = \"{}\" is not a file; allowed: the path of a packing",
+                                 place, path.string()));
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {

@@ -65,6 +65,8 @@ Packing start_of(const Case& c) {
   Packing packing = drawn ? dilute_start(mixture_of(c)) : read_packing(c.start.file);
   packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
+  packing.labels.origin = {};  // a run counts from the corner of its cell
+  packing.labels.turned = false;
   constexpr double of_solid_spheres = 3;
   if (c.compaction.mass_exponent != of_solid_spheres) set_masses(packing, c.compaction.mass_exponent);
   return packing;

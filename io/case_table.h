@@ -20,4 +20,9 @@ toml::table read_table(const std::filesystem::path& file);
 Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides);
 
+/// The absolute path of a start that a case file or its sweep names: a relative one lies beside the file.
+/// Throws InputError that begins with `place` if it is no file.
+std::string start_path(const std::filesystem::path& case_file, const std::string& start,
+                       const std::string& place);
+
 }  // namespace furnas

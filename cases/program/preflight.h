@@ -11,6 +11,7 @@ namespace furnas {
 struct Preflight {
   std::string report;   ///< lines for a person
   std::string refusal;  ///< why it must not run; empty if it may
+  std::string remark;   ///< what a run should say first; in the report, too; empty if there is nothing
 };
 
 /// Works out sizes, time scales, memory and expected time of a case without building its packing.

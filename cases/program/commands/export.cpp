@@ -10,6 +10,7 @@ namespace furnas {
 Command export_command() {
   struct Options {
     std::string source;
+    std::optional<std::int64_t> frame;
     std::string format;
     std::string out;
   };
@@ -19,7 +20,7 @@ Command export_command() {
   command.does = "write a packing in another format";
   command.example = "furnas export runs/first_packing lammps-data";
   command.setup = [options](CommandLine& app) {
-    add_packing_source(app, options->source);
+    add_packing_source(app, options->source, options->frame);
     app.add("FORMAT", options->format, names_of_written_formats()).required();
     app.add("--out", options->out, "file; default: packing with the format's extension");
   };
@@ -27,7 +28,9 @@ Command export_command() {
     remark_on_older_checkpoint(options->source, console.err);
     const std::string out =
         options->out.empty() ? "packing" + std::string(extension_of(options->format)) : options->out;
-    write_packing(packing_from(options->source), options->format, out);
+    const Packing packing = packing_source(options->source, options->frame).packing;
+    write_packing(packing, options->format, out);
+    remark_on_losses(packing, options->format, console.err);
     console.out << out << '\n';
     return ExitCode::done;
   };

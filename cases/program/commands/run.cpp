@@ -62,6 +62,7 @@ Command run_command() {
       console.err << "furnas: refused: " << preflight.refusal << '\n';
       return ExitCode::refused;
     }
+    if (!preflight.remark.empty()) console.err << "furnas: " << preflight.remark << '\n';
     announce_start(c, console);
     RunOrder order = order_to_run(c);
     order.walltime = walltime;
