@@ -221,7 +221,7 @@ void write_extended_xyz(const Packing& packing, const std::filesystem::path& pat
     const std::int32_t type = type_of(packing, k);
     std::string& of_type = words[type];
     if (of_type.empty())
-      of_type = fmt::format("{} {}{}", element_of_type(packing, type), name_of_type(packing, type),
+      of_type = fmt::format("{} {}{}", element_of(packing, k), name_of_type(packing, type),
                             numbered ? fmt::format(" {}", type) : "");
     const auto& [ix, iy, iz] = packing.image[k];
     print(file, "{} {} {} {} {} {} {} {} {} {} {} {}\n", of_type, packing.id(k),

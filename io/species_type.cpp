@@ -29,11 +29,12 @@ std::string name_of_type(const Packing& p, std::int32_t type) {
   return std::string(name_of(type == 1 ? Species::large : Species::small));
 }
 
-std::string_view element_of_type(const Packing& p, std::int32_t type) {
+std::string_view element_of(const Packing& p, std::size_t k) {
+  const std::int32_t type = type_of(p, k);
   const std::string name = name_of_type(p, type);
   if (const auto found = std::find(elements.begin(), elements.end(), name); found != elements.end())
     return *found;
-  if (type <= 2) return type == 1 ? "Ag" : "Au";
+  if (type <= 2) return p.species[k] == Species::large ? "Ag" : "Au";
   return elements[(static_cast<std::size_t>(type) - 3) % elements.size()];
 }
 

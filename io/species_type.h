@@ -25,8 +25,8 @@ std::int32_t type_count(const Packing& packing);
 /// The name of a type in files: that of its species, or that which a file gave it, or its number.
 std::string name_of_type(const Packing& packing, std::int32_t type);
 
-/// The chemical element that stands for a type where a file must have one: its name if that is one, silver
-/// for large and gold for small spheres, others for types beyond.
-std::string_view element_of_type(const Packing& packing, std::int32_t type);
+/// The chemical element that stands for the type of particle k where a file must have one: the type's name if
+/// that is one; of the types 1 and 2 silver for large and gold for small spheres; others for types beyond.
+std::string_view element_of(const Packing& packing, std::size_t k);
 
 }  // namespace furnas

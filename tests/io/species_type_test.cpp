@@ -12,8 +12,8 @@ TEST(SpeciesType, LargeIsOneAndSmallIsTwo) {
   EXPECT_EQ(type_of(p, 0), 2);
   EXPECT_EQ(type_count(p), 2);
   EXPECT_EQ(name_of_type(p, 1), "large");
-  EXPECT_EQ(element_of_type(p, 1), "Ag");
-  EXPECT_EQ(element_of_type(p, 2), "Au");
+  EXPECT_EQ(element_of(p, 2), "Ag");
+  EXPECT_EQ(element_of(p, 0), "Au");
 }
 
 TEST(SpeciesType, TypesOfAFileKeepTheirNumbersAndNames) {
@@ -21,8 +21,8 @@ TEST(SpeciesType, TypesOfAFileKeepTheirNumbersAndNames) {
   label_by_types(p, {3, 1, 3}, {"Fe", "stone", "a b"});
   EXPECT_EQ(type_count(p), 3);
   EXPECT_EQ(name_of_type(p, 2), "stone");
-  EXPECT_EQ(element_of_type(p, 1), "Fe");
-  EXPECT_EQ(element_of_type(p, 3), "H");
+  EXPECT_EQ(element_of(p, 1), "Fe");
+  EXPECT_EQ(element_of(p, 0), "H");
   p.labels.names.clear();
   EXPECT_EQ(name_of_type(p, 1), "1") << "type 1 need not be large";
 }
