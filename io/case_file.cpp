@@ -18,7 +18,7 @@ namespace furnas {
 namespace {
 
 /// Where each key was given, by its path: "case.toml:3" or "--set".
-using Places = std::map<std::string, std::string>;
+using KeyPlaces = std::map<std::string, std::string>;
 
 constexpr const char* override_place = "--set";
 constexpr const char* preset_key = "preset";
@@ -67,7 +67,7 @@ bool is_table_name(std::string_view name) {
 }
 
 /// Two keys that say the same may not both be given.
-void refuse_rivals(const Places& places) {
+void refuse_rivals(const KeyPlaces& places) {
   for (const Key& key : case_keys()) {
     const std::string rival = fmt::format("{}.{}", key.table, key.rival);
     if (!key.rival.empty() && places.contains(key.path()) && places.contains(rival))
@@ -78,7 +78,7 @@ void refuse_rivals(const Places& places) {
 
 /// Sets the preset that was given last, by an override or in the file.
 void set_preset(Case& c, const toml::table& root, const std::string& name,
-                std::span<const std::string> overrides, Places& places) {
+                std::span<const std::string> overrides, KeyPlaces& places) {
   if (const toml::node* node = root.get(preset_key)) {
     const std::string place = fmt::format("{}:{}", name, node->source().begin.line);
     assign(*find_key("", preset_key), *node, c, place);
@@ -90,7 +90,7 @@ void set_preset(Case& c, const toml::table& root, const std::string& name,
 }
 
 /// Sets the keys of a parsed file, each checked by itself, in a case that holds the values of its preset.
-void read_keys(const toml::table& root, const std::string& name, Case& c, Places& places) {
+void read_keys(const toml::table& root, const std::string& name, Case& c, KeyPlaces& places) {
   const auto place_of = [&](const toml::node& node) {
     return fmt::format("{}:{}", name, node.source().begin.line);
   };
@@ -141,7 +141,7 @@ void refuse_sweep(const toml::table& root, const std::string& name) {
                                  name, sweep->source().begin.line));
 }
 
-void apply_overrides(Case& c, std::span<const std::string> overrides, Places& places) {
+void apply_overrides(Case& c, std::span<const std::string> overrides, KeyPlaces& places) {
   for (const std::string& assignment : overrides) {
     const std::string path = split_assignment(assignment).path;
     places[path] = override_place;
@@ -150,14 +150,14 @@ void apply_overrides(Case& c, std::span<const std::string> overrides, Places& pl
 }
 
 Case case_of(const toml::table& root, const std::string& name, std::span<const std::string> overrides,
-             Places& places) {
+             KeyPlaces& places) {
   Case c;
   set_preset(c, root, name, overrides, places);
   read_keys(root, name, c, places);
   return c;
 }
 
-void refuse_conflicts(const Case& c, const std::string& name, const Places& places) {
+void refuse_conflicts(const Case& c, const std::string& name, const KeyPlaces& places) {
   const auto conflict = find_conflict(c);
   if (!conflict) return;
   const auto place = places.find(conflict->key);
@@ -200,7 +200,7 @@ bool counts(const Key& key, const Case& c) {
 }  // namespace
 
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides) {
-  Places places;
+  KeyPlaces places;
   const toml::table root = parse_text(toml, name);
   refuse_sweep(root, name);
   Case c = case_of(root, name, overrides, places);
@@ -219,7 +219,7 @@ toml::table read_table(const std::filesystem::path& file) {
 Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides) {
   const std::string name = file.string();
-  Places places;
+  KeyPlaces places;
   Case c = case_of(root, name, overrides, places);
   if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
   apply_overrides(c, overrides, places);

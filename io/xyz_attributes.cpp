@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-constexpr const char* blanks = " \t";
+constexpr const char* between_words = " \t";
 
 /// Takes the value that begins at `at` and puts `at` behind it.
 std::string take_value(const TextReader& reader, const std::string& line, std::size_t& at,
@@ -34,7 +34,7 @@ std::string take_value(const TextReader& reader, const std::string& line, std::s
     return line.substr(begin, at - begin);
   }
   const std::size_t begin = at;
-  at = std::min(line.find_first_of(blanks, begin), line.size());
+  at = std::min(line.find_first_of(between_words, begin), line.size());
   return line.substr(begin, at - begin);
 }
 
@@ -42,16 +42,16 @@ std::string take_value(const TextReader& reader, const std::string& line, std::s
 
 XyzAttributes::XyzAttributes(const TextReader& reader) {
   const std::string& line = reader.line();
-  for (std::size_t at = 0; (at = line.find_first_not_of(blanks, at)) != std::string::npos;) {
+  for (std::size_t at = 0; (at = line.find_first_not_of(between_words, at)) != std::string::npos;) {
     const std::size_t end = line.find_first_of("= \t", at);
     // Around "=" there may be blanks.
-    const std::size_t equals = end == std::string::npos ? end : line.find_first_not_of(blanks, end);
+    const std::size_t equals = end == std::string::npos ? end : line.find_first_not_of(between_words, end);
     if (equals == std::string::npos || line[equals] != '=') {  // a word without a value
       at = std::min(end, line.size());
       continue;
     }
     const std::string key = line.substr(at, end - at);
-    at = std::min(line.find_first_not_of(blanks, equals + 1), line.size());
+    at = std::min(line.find_first_not_of(between_words, equals + 1), line.size());
     if (!values_.emplace(key, take_value(reader, line, at, key)).second)
       reader.fail(key + " stands twice in the line");
   }
