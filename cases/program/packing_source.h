@@ -37,6 +37,9 @@ void add_packing_source(CommandLine& app, std::string& name);
 /// that in which the packing's file lies. Throws InputError, also when a file stands in its place.
 std::filesystem::path folder_about(const std::string& folder_or_file, const std::string& wanted);
 
+/// Makes the folder in which `file` is to stand, if it is missing. Throws InputError.
+void make_folder_of(const std::filesystem::path& file);
+
 /// The packing alone.
 Packing packing_from(const std::string& folder_or_file);
 

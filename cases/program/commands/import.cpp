@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
 #include "io/formats.h"
 
 namespace furnas {
@@ -34,7 +35,9 @@ Command import_command() {
     const Packing packing = read_packing(options->source);
     describe(packing, console);
     if (options->out.empty()) return ExitCode::done;
-    write_packing(packing, format_by_extension(options->out), options->out);
+    const std::string_view format = format_by_extension(options->out);
+    make_folder_of(options->out);
+    write_packing(packing, format, options->out);
     console.out << options->out << '\n';
     return ExitCode::done;
   };

@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
 #include "cases/program/replication.h"
 #include "io/formats.h"
 
@@ -38,6 +39,7 @@ Command replicate_command() {
       source.packing.contacts.clear();
       source.packing.order.clear();
     }
+    make_folder_of(options->out);
     write_replicate(source, times, options->out);
     console.out << options->out << '\n';
     return ExitCode::done;
