@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
+#include "cases/program/run/progress.h"
 #include "engine/base/require.h"
 #include "io/case_protocol.h"
 #include "io/certificate_file.h"
@@ -21,6 +23,17 @@ struct Options {
   std::optional<double> cone_excess;
   int eigenvalues = CertificateTerms{}.eigenvalues;
 };
+
+/// The eigenvalues of a large packing take a while; the time is that of docs/decisions.md: 0.3 s for 1000
+/// particles, 17 s for 4756.
+void announce(std::size_t particles, Console console) {
+  constexpr double of_thousand = 0.3, power = 2.6, noticed = 2;  // [s]
+  const double seconds = of_thousand * std::pow(static_cast<double>(particles) / 1000, power);
+  if (seconds < noticed) return;
+  console.err << "certifies " << particles << " particles: their stiffness and its eigenvalues, about "
+              << duration_text(seconds) << '\n'
+              << std::flush;
+}
 
 /// What the case promised; the limit of the force balance is at least the loose one.
 CertificateTerms terms_of(const PackingSource& source, const Options& options) {
@@ -80,6 +93,7 @@ Command certify_command() {
     const PackingSource source = run_source(options->source);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
+    announce(source.packing.size(), console);
     const Certificate certificate = certify(source.packing, terms);
     write_certificate(certificate, terms, options->source, folder);
     console.out << certificate_text(certificate, terms, options->source);
