@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 #include "engine/base/require.h"
@@ -216,19 +217,37 @@ toml::table read_table(const std::filesystem::path& file) {
   return parse_text(read_file(file), name);
 }
 
+namespace {
+
+/// A key that names a file.
+struct FileKey {
+  const char* path;
+  const char* allowed;
+  std::string* value;
+};
+
+std::array<FileKey, 2> files_of(Case& c) {
+  return {{{"start.file", "the path of a packing", &c.start.file},
+           {"mixture.diameters", "the path of a list of diameters", &c.mixture.diameters}}};
+}
+
+}  // namespace
+
 Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides) {
   const std::string name = file.string();
   Places places;
   Case c = case_of(root, name, overrides, places);
-  if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
+  for (const FileKey& key : files_of(c))
+    if (!key.value->empty()) *key.value = (file.parent_path() / *key.value).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
-  if (!c.start.file.empty()) {
-    if (!std::filesystem::is_regular_file(c.start.file))
-      throw InputError(fmt::format("{}: start.file = \"{}\" is not a file; allowed: the path of a packing",
-                                   places.at("start.file"), c.start.file));
-    c.start.file = std::filesystem::absolute(c.start.file).lexically_normal().string();
+  for (const auto& [path, allowed, value] : files_of(c)) {
+    if (value->empty()) continue;
+    if (!std::filesystem::is_regular_file(*value))
+      throw InputError(
+          fmt::format("{}: {} = \"{}\" is not a file; allowed: {}", places.at(path), path, *value, allowed));
+    *value = std::filesystem::absolute(*value).lexically_normal().string();
   }
   return c;
 }
@@ -255,6 +274,16 @@ void apply_override(Case& c, std::string_view assignment) {
   give_up_rival(*key, c);
 }
 
+namespace {
+
+/// A list of diameters stands for the sizes and numbers of a mixture.
+bool is_replaced_by_a_list(const Key& key, const Case& c) {
+  return !c.mixture.diameters.empty() && key.table == "mixture" &&
+         (key.name == "size_ratio" || key.name == "small_fraction" || key.name == "large");
+}
+
+}  // namespace
+
 std::string resolved_toml(const Case& c) {
   const std::string_view other_start = c.start.file.empty() ? "start" : "mixture";
   std::string text = "# Every key of the case, with its unit and what it means.\n";
@@ -264,7 +293,9 @@ std::string resolved_toml(const Case& c) {
     if (key.table != table) text += fmt::format("\n[{}]\n", key.table);
     table = key.table;
     const std::string unit = key.unit.empty() ? "" : fmt::format(" [{}]", key.unit);
-    if (counts(key, c))
+    if (is_replaced_by_a_list(key, c))
+      text += fmt::format("# {} is not used: diameters is given\n", key.name);
+    else if (counts(key, c))
       text +=
           fmt::format("{:<28} #{} {}\n", fmt::format("{} = {}", key.name, value_text(key, c)), unit, key.doc);
     else

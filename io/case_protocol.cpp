@@ -1,6 +1,14 @@
 #include "io/case_protocol.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
+#include "engine/start/gas.h"
+#include "io/diameters_file.h"
 #include "io/formats.h"
 
 namespace furnas {
@@ -60,9 +68,43 @@ Protocol protocol_of(const Case& c) {
           .skin = c.compute.skin};
 }
 
+namespace {
+
+/// Spheres as they are listed.
+Packing listed_start(const Case::Mixture& mixture) {
+  std::vector<double> radii = read_diameters(mixture.diameters).diameters;
+  double volume = 0;
+  for (double& r : radii) volume += sphere_volume(r *= 0.5);
+  constexpr double dense = 0.64, least_width = 2;  // as for a mixture: io/case_check.cpp
+  if (std::cbrt(volume / dense) < least_width)
+    throw InputError(
+        fmt::format("mixture.diameters = \"{}\": {} spheres make a cell {:.1f} diameters of the "
+                    "smallest wide when dense, too small to jam; allowed: at least 2; list more",
+                    mixture.diameters, radii.size(), std::cbrt(volume / dense)));
+  return dilute_gas(
+      radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});
+}
+
+/// A packing in units of its smallest sphere, as all criteria of a run are.
+Packing read_start(const std::string& file) {
+  Packing packing = read_packing(file);
+  const double smallest = smallest_diameter(packing);
+  constexpr double rounding = 1e-3;  // of a file in text
+  if (std::abs(smallest - 1) > rounding)
+    throw InputError(fmt::format(
+        "start.file = \"{}\": the smallest sphere has a diameter of {:.6g}; allowed: 1, for lengths "
+        "are in diameters of the smallest sphere; rescale with: furnas import {} --scale {:.10g} "
+        "--out start.vtp",
+        file, smallest, file, 1 / smallest));
+  return packing;
+}
+
+}  // namespace
+
 Packing start_of(const Case& c) {
-  const bool drawn = c.start.file.empty();
-  Packing packing = drawn ? dilute_start(mixture_of(c)) : read_packing(c.start.file);
+  Packing packing = !c.start.file.empty()          ? read_start(c.start.file)
+                    : !c.mixture.diameters.empty() ? listed_start(c.mixture)
+                                                   : dilute_start(mixture_of(c));
   packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
   constexpr double of_solid_spheres = 3;

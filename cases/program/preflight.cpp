@@ -10,6 +10,7 @@
 #include "engine/monitor/stability.h"
 #include "engine/simulation.h"
 #include "io/case_protocol.h"
+#include "io/diameters_file.h"
 #include "io/result.h"
 
 namespace furnas {
@@ -27,8 +28,8 @@ struct Census {
 
 Census census_of(const Case& c) {
   Census n;
-  if (c.start.file.empty()) {
-    n.large = c.mixture.size_ratio;
+  if (c.start.file.empty() && c.mixture.diameters.empty()) {
+    n.large = large_diameter(mixture_of(c));
     n.larges = static_cast<double>(c.mixture.large);
     n.smalls = small_count(mixture_of(c));
     n.small = n.smalls > 0 ? 1.0 : n.large;
@@ -147,12 +148,20 @@ double expected_memory(double particles, const Case& c) {
   return std::max(running, renderer + pixel * edge * edge + particles * drawn_particle);
 }
 
+std::string unit_of_list(const Case& c) {
+  return fmt::format("1 d_s is {:g}, the smallest diameter in {}", read_diameters(c.mixture.diameters).unit,
+                     c.mixture.diameters);
+}
+
 Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const Census n = census_of(c);
   Preflight out;
   out.report +=
       fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
                   n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
+  if (n.smalls > 0 && n.larges > 0 && n.large == n.small)
+    out.report += "          all equal: with a size ratio of 1 large and small differ in name alone\n";
+  if (!c.mixture.diameters.empty()) out.report += "units     " + unit_of_list(c) + "\n";
   const AnyLaw law = law_of(protocol_of(c));
   const double dt = time_step_of(protocol_of(c), n.small);
   out.report += fmt::format(
