@@ -101,6 +101,7 @@ class SimulationOf final : public Simulation {
   Workers workers_;
   bool as_graph_;
   std::size_t count_{};
+  Labels labels_;  ///< of the packing that was loaded, for the one that is given out
   Clock clock_;
   State<Numerics> state_;
   StepWork work_;
@@ -128,6 +129,7 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
   state_.cell = p.cell;
   state_.stress = p.stress;
   state_.ledger = p.ledger;
+  labels_ = p.labels;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
   require(is_permutation(state_.id, count_), "the order names every particle once");
   state_.particles.reserve(count_);
@@ -293,6 +295,7 @@ Packing SimulationOf<Numerics>::packing() const {
   p.stress = state_.stress;
   p.ledger = state_.ledger;
   p.order = state_.id;
+  p.labels = labels_;
   p.resize(count_);
   for (std::size_t n = 0; n < count_; ++n) {
     const std::uint32_t k = state_.id[n];

@@ -21,9 +21,9 @@ struct NeighbourCounts {
 /// A packing in motion: owns the state and the step. Law and precision are chosen when it is made and hidden
 /// behind this class.
 ///
-/// One thread at a time may call it, and calls no member while advance() runs; advance() uses threads of its
-/// own. Several simulations may run side by side. Costs are in passes over particles and contacts; a step is
-/// about two.
+/// Only one thread at a time may call a simulation, and calls no member while advance() runs; advance() uses
+/// threads of its own. Several simulations may run side by side. Costs are in passes over particles and
+/// contacts; a step is about two.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -36,16 +36,16 @@ class Simulation {
   /// 160 a contact.
   virtual Packing packing() const = 0;
 
-  /// Puts another packing in the place of this one. One with an `order` continues where it was, with its
-  /// forces and histories; one without is a start: its forces are taken from the positions, without history.
-  /// Sorts the particles if they have no order, and builds a neighbour list: as long as some ten steps.
-  /// Throws InputError for a packing that is none.
+  /// Puts another packing in the place of this one. A packing with an `order` continues where it was, with
+  /// its forces and histories; a packing without is a start: its forces are taken from the positions, without
+  /// history. Sorts the particles if they have no order, and builds a neighbour list: as long as some ten
+  /// steps. Throws InputError for a packing that is none.
   virtual void load(const Packing& packing) = 0;
 
   /// Puts other velocities [d_s/time] and spins [1/time], in order of id, and another strain rate of the cell
   /// [1/time] in the place of the present ones. Positions, forces, histories, stress and neighbour list stay.
-  /// The ledger books as quenched what kinetic energy this takes out of the particles. One pass over the
-  /// particles.
+  /// The ledger books as quenched the kinetic energy that this takes out of the particles. Costs a pass over
+  /// the particles.
   virtual void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
                           const Triangle& rate) = 0;
 

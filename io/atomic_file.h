@@ -15,8 +15,8 @@ struct OutputError : std::runtime_error {
 
 /// A file that appears under its name complete or not at all.
 ///
-/// It is written as `<name>.tmp` beside its place. commit() brings it to the disk and renames it; a file that
-/// is not committed leaves an older one of that name untouched and vanishes.
+/// The file is written as `<name>.tmp` beside its place. commit() brings it to the disk and renames it; a
+/// file that is not committed leaves an older one of that name untouched and vanishes.
 class AtomicFile {
  public:
   /// Creates `<path>.tmp`; throws OutputError.

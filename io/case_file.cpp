@@ -118,8 +118,8 @@ void read_keys(const toml::table& root, const std::string& name, Case& c, Places
 }
 
 /// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
-/// number wrong. So what seems wrong is read once more. It is not told the name of the file, which it would
-/// copy where it may not throw.
+/// number wrong. So a text that seems wrong is read once more. toml++ is not given the name of the file,
+/// which it would copy where it may not throw.
 toml::table parse_toml(std::string_view text) {
   try {
     return toml::parse(text);
@@ -217,39 +217,29 @@ toml::table read_table(const std::filesystem::path& file) {
   return parse_text(read_file(file), name);
 }
 
-namespace {
-
-/// A key that names a file.
-struct FileKey {
-  const char* path;
-  const char* allowed;
-  std::string* value;
-};
-
-std::array<FileKey, 2> files_of(Case& c) {
-  return {{{"start.file", "the path of a packing", &c.start.file},
-           {"mixture.diameters", "the path of a list of diameters", &c.mixture.diameters}}};
-}
-
-}  // namespace
-
 Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides) {
   const std::string name = file.string();
   Places places;
   Case c = case_of(root, name, overrides, places);
-  for (const FileKey& key : files_of(c))
-    if (!key.value->empty()) *key.value = (file.parent_path() / *key.value).string();
+  const std::array<std::pair<const char*, std::string*>, 2> files{
+      {{"start.file", &c.start.file}, {"mixture.diameters", &c.mixture.diameters}}};
+  for (const auto& [key, value] : files)
+    if (!value->empty()) *value = (file.parent_path() / *value).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
-  for (const auto& [path, allowed, value] : files_of(c)) {
-    if (value->empty()) continue;
-    if (!std::filesystem::is_regular_file(*value))
-      throw InputError(
-          fmt::format("{}: {} = \"{}\" is not a file; allowed: {}", places.at(path), path, *value, allowed));
-    *value = std::filesystem::absolute(*value).lexically_normal().string();
-  }
+  for (const auto& [key, value] : files)  // one of an override lies where we are
+    if (!value->empty()) *value = file_path({}, key, *value, places.at(key));
   return c;
+}
+
+std::string file_path(const std::filesystem::path& case_file, std::string_view key, const std::string& value,
+                      const std::string& place) {
+  const std::filesystem::path path = case_file.parent_path() / value;
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(fmt::format("{}: {} = \"{}\" is not a file; allowed: the path of {}", place, key,
+                                 path.string(), key == "start.file" ? "a packing" : "a list of diameters"));
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {

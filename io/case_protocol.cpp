@@ -85,28 +85,16 @@ Packing listed_start(const Case::Mixture& mixture) {
       radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});
 }
 
-/// A packing in units of its smallest sphere, as all criteria of a run are.
-Packing read_start(const std::string& file) {
-  Packing packing = read_packing(file);
-  const double smallest = smallest_diameter(packing);
-  constexpr double rounding = 1e-3;  // of a file in text
-  if (std::abs(smallest - 1) > rounding)
-    throw InputError(fmt::format(
-        "start.file = \"{}\": the smallest sphere has a diameter of {:.6g}; allowed: 1, for lengths "
-        "are in diameters of the smallest sphere; rescale with: furnas import {} --scale {:.10g} "
-        "--out start.vtp",
-        file, smallest, file, 1 / smallest));
-  return packing;
-}
-
 }  // namespace
 
 Packing start_of(const Case& c) {
-  Packing packing = !c.start.file.empty()          ? read_start(c.start.file)
+  Packing packing = !c.start.file.empty()          ? read_packing(c.start.file)
                     : !c.mixture.diameters.empty() ? listed_start(c.mixture)
                                                    : dilute_start(mixture_of(c));
   packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
+  packing.labels.origin = {};  // a run counts from the corner of its cell
+  packing.labels.turned = false;
   constexpr double of_solid_spheres = 3;
   if (c.compaction.mass_exponent != of_solid_spheres) set_masses(packing, c.compaction.mass_exponent);
   return packing;

@@ -72,9 +72,11 @@ std::vector<Key> mixture_and_start() {
 
 std::vector<Key> contact() {
   return {
-      plain("contact", "law", "", Choices{"hooke_synchronized", "hooke_history"},
-            "hooke_history is the paper's scheme; small spheres that roll between large ones stick in it",
-            [](Case& c) -> Field { return &c.contact.law; }),
+      plain(
+          "contact", "law", "", Choices{"hooke_synchronized", "hooke_history"},
+          "contact law; hooke_synchronized is of second order in the time step; hooke_history repeats the "
+          "scheme of the paper and of LAMMPS, in which small spheres that roll between large ones can stick",
+          [](Case& c) -> Field { return &c.contact.law; }),
       plain("contact", "friction", "", from_to(0, 1e30),
             "Coulomb's coefficient mu; 0 leaves out spin and tangential forces, 1e30 never slides",
             [](Case& c) -> Field { return &c.contact.friction; }),
@@ -88,14 +90,16 @@ std::vector<Key> contact() {
             "gamma_t; the damping force is m_eff gamma_t times the slip velocity",
             [](Case& c) -> Field { return &c.contact.tangential_damping; }),
       plain("contact", "attraction", "", std::monostate{},
-            "let damping pull while a contact opens, as in the paper; false: the normal force never attracts",
+            "true: the normal dashpot may pull while a contact opens, as in the paper; false: the normal "
+            "force is never negative",
             [](Case& c) -> Field { return &c.contact.attraction; }),
       plain("contact", "winding", "", std::monostate{},
-            "let damping wind the spring of a sliding contact beyond its limit, as in the paper; false: the "
-            "slider is in series with both",
+            "true: damping may stretch the spring of a sliding contact beyond Coulomb's limit, as in the "
+            "paper; false: the slider is in series with spring and dashpot",
             [](Case& c) -> Field { return &c.contact.winding; }),
       plain("contact", "velocity", "", Choices{"peculiar", "total"},
-            "relative velocity at a contact, without (peculiar) or with (total) the cell's affine flow",
+            "relative velocity that a contact sees: with the affine flow of the cell (total) or without it "
+            "(peculiar)",
             [](Case& c) -> Field { return &c.contact.velocity; }),
   };
 }
@@ -103,36 +107,37 @@ std::vector<Key> contact() {
 std::vector<Key> compaction() {
   return {
       plain("compaction", "pressure", "k_n/d_s", above_to(0, 0.1),
-            "applied pressure p_a, or a list: a staircase; beyond 0.1 overlaps are no longer small",
+            "applied pressure p_a, or a list of pressures at which the packing comes to rest in turn; beyond "
+            "0.1 overlaps are no longer small",
             [](Case& c) -> Field { return &c.compaction.pressure; }),
       plain("compaction", "cell", "", Choices{"triclinic", "orthorhombic", "cubic", "fixed"},
-            "what may change: edges and angles, edges, the volume alone, or nothing",
+            "what may change: edges and angles (triclinic), edges (orthorhombic), the volume alone (cubic), "
+            "nothing (fixed)",
             [](Case& c) -> Field { return &c.compaction.cell; }),
       either("compaction", "inertia", "inertia_absolute", "M L_ref^2/12", above_to(0, 1e6),
-             "inertia of the cell, beta; far from 1 the cell rings (light) or bounces (heavy)",
+             "inertia of the cell, beta; a light cell oscillates, a heavy cell rebounds",
              [](Case& c) -> Field { return &c.compaction.inertia; }),
       either("compaction", "inertia_absolute", "inertia", "rho d_s^5", above_to(0, 1e30),
              "inertia of the cell W itself, instead of inertia",
              [](Case& c) -> Field { return &c.compaction.inertia_absolute; }),
       either("compaction", "cell_damping", "drag", "", from_to(0, 1000),
-             "drag of the cell over (p_a V/W)^(1/2), V its dense volume; 2 is critical, from 4 on p does not "
-             "overshoot p_a",
+             "drag on the strain rate of the cell over (p_a V/W)^(1/2), V being the volume of the dense "
+             "cell; 2 is critical, from 4 on p does not overshoot p_a",
              [](Case& c) -> Field { return &c.compaction.cell_damping; }),
       either("compaction", "drag", "cell_damping", "1/time", from_to(0, 1000),
              "drag of the cell itself, instead of cell_damping: its strain rate decays as exp(-drag t)",
              [](Case& c) -> Field { return &c.compaction.drag; }),
       {"compaction", "time_step", "t_c", above_to(0, 0.2), "auto", "time_step_absolute",
-       "time step; auto: as long as is stable and right, 0.063 with friction and the usual constants, 0.1 "
-       "without",
+       "time step; auto: chosen by the program, 0.063 with friction and the default constants, 0.1 without "
+       "friction",
        [](Case& c) -> Field { return &c.compaction.time_step; }},
       either("compaction", "time_step_absolute", "time_step", "time", above_to(0, 1000),
              "time step itself, instead of time_step",
              [](Case& c) -> Field { return &c.compaction.time_step_absolute; }),
-      plain(
-          "compaction", "mass_exponent", "", from_to(0, 3),
-          "mass of a sphere goes as this power of its diameter; 3: solid spheres; below 3 large ones answer "
-          "sooner and frictional packings end looser",
-          [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
+      plain("compaction", "mass_exponent", "", from_to(0, 3),
+            "the mass of a sphere grows with this power of its diameter; 3: solid spheres; below 3 large "
+            "spheres are light, runs are shorter, and packings with friction end looser",
+            [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
   };
 }
 
@@ -148,35 +153,35 @@ std::vector<Key> stop() {
             "mean net force on the backbone over the mean contact force",
             [](Case& c) -> Field { return &c.stop.force_imbalance; }),
       plain("stop", "kinetic_energy", "k_n d_s^2", above_to(0, 1),
-            "kinetic energy per particle, of the backbone (rest) or of all (paper)",
+            "kinetic energy per particle of the backbone (rest) or of all particles (paper)",
             [](Case& c) -> Field { return &c.stop.kinetic_energy; }),
       plain("stop", "strain_drift", "", above_to(0, 1), "largest strain of the cell in 2000 t_c",
             [](Case& c) -> Field { return &c.stop.strain_drift; }),
       plain("stop", "window", "t_c", above_to(0, 1e9),
-            "time over which the conditions must hold without a break",
+            "time over which all conditions must hold without a break",
             [](Case& c) -> Field { return &c.stop.window; }),
-      plain(
-          "stop", "stilling", "", from_to(0, 1e9),
-          "what still moves is stopped once force_imbalance and strain_drift are within so many times their "
-          "limits; sooner saves steps, too soon loosens mixtures; 0: never",
-          [](Case& c) -> Field { return &c.stop.stilling; }),
+      plain("stop", "stilling", "", from_to(0, 1e9),
+            "all motion is set to zero near the end, once force_imbalance and strain_drift are within this "
+            "factor of their limits; a larger factor saves steps and loosens mixtures; 0: never",
+            [](Case& c) -> Field { return &c.stop.stilling; }),
       plain("stop", "stilling_energy", "", from_to(0, 1e30),
-            "and the backbone's kinetic energy is within so many times its own, unless the forces balance",
+            "and once the kinetic energy of the backbone is within this factor of its limit, unless the "
+            "forces balance",
             [](Case& c) -> Field { return &c.stop.stilling_energy; }),
       plain("stop", "growth", "", from_to(1, 1e30),
-            "but not while that energy grows by more than this factor in half a window: an unstable packing "
-            "is let go",
+            "but not while the kinetic energy of the backbone grows by more than this factor in half a "
+            "window, because an unstable packing must go on moving",
             [](Case& c) -> Field { return &c.stop.growth; }),
       plain("stop", "phi_error", "", from_to(0, 1),
-            "a run that does not come to rest ends as settled once phi can change by less than this, by its "
-            "creep and the stress that is wrong; 0: never",
+            "a run that does not come to rest ends as settled once the change that phi may still make is "
+            "bounded below this number; 0: never",
             [](Case& c) -> Field { return &c.stop.phi_error; }),
       plain("stop", "minimizer", "", std::monostate{},
-            "without friction, let a minimizer of the enthalpy balance the forces at the end; false: steps "
-            "alone",
+            "true: without friction, the forces are balanced at the end by minimizing the enthalpy; false: "
+            "by time steps alone",
             [](Case& c) -> Field { return &c.stop.minimizer; }),
       plain("stop", "steps", "steps", from_to(0, many_steps),
-            "cap on the length of the run; a run that ends by it is not called jammed",
+            "largest number of steps; a run that ends by it is not called jammed",
             [](Case& c) -> Field { return &c.stop.steps; }),
   };
 }
@@ -198,24 +203,25 @@ std::vector<Key> compute() {
 std::vector<Key> output() {
   return {
       plain("output", "history_every", "steps", from_to(1, many_steps),
-            "from one row of history.csv to the next",
+            "interval between two rows of history.csv",
             [](Case& c) -> Field { return &c.output.history_every; }),
-      plain("output", "snapshot_every", "steps", from_to(0, many_steps),
-            "from one frame of frames.pvd to the next, and so at equal steps of time; the start is the "
-            "first; 0: none",
-            [](Case& c) -> Field { return &c.output.snapshot_every; }),
+      plain(
+          "output", "snapshot_every", "steps", from_to(0, many_steps),
+          "interval between two frames of frames.pvd, and so equal steps of time; the start is the first; 0: "
+          "none",
+          [](Case& c) -> Field { return &c.output.snapshot_every; }),
       plain("output", "snapshot_phi", "", from_to(0, 1),
             "a frame when phi first exceeds each multiple of this, as 0.01, so that a film shows the "
             "compaction evenly; 0: none",
             [](Case& c) -> Field { return &c.output.snapshot_phi; }),
       plain("output", "checkpoint_minutes", "minutes", above_to(0, 1e5),
-            "wall time from one checkpoint to the next; a stopped run resumes from the last",
+            "wall time between two checkpoints; a stopped run resumes from the last one",
             [](Case& c) -> Field { return &c.output.checkpoint_minutes; }),
       plain("output", "picture", "", Choices{"fig1a", "none"}, "style of the picture of the final packing",
             [](Case& c) -> Field { return &c.output.picture; }),
       plain("output", "picture_size", "pixels", from_to(16, 8192), "edge of the square picture",
             [](Case& c) -> Field { return &c.output.picture_size; }),
-      plain("output", "background", "", Choices{"white", "transparent"}, "what stands behind the packing",
+      plain("output", "background", "", Choices{"white", "transparent"}, "background of the picture",
             [](Case& c) -> Field { return &c.output.background; }),
   };
 }

@@ -1,7 +1,11 @@
 #include "io/checkpoint.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <sstream>
 
 #include "engine/base/require.h"
 #include "io/particle_rows.h"
@@ -149,6 +153,50 @@ void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.finish();
 }
 
+// Labels stand among the extras, where they leave the sections of other checkpoints as they are.
+constexpr const char* id_key = "labels: id";
+constexpr const char* type_key = "labels: type";
+constexpr const char* names_key = "labels: names";
+constexpr const char* origin_key = "labels: origin";
+
+template <class T>
+std::string bytes_of(const std::vector<T>& list) {
+  return {reinterpret_cast<const char*>(list.data()), sizeof(T) * list.size()};
+}
+
+template <class T>
+std::vector<T> list_in(const std::string& bytes) {
+  std::vector<T> list(bytes.size() / sizeof(T));
+  std::memcpy(list.data(), bytes.data(), sizeof(T) * list.size());
+  return list;
+}
+
+std::map<std::string, std::string> to_extras(const Labels& labels) {
+  std::map<std::string, std::string> extras;
+  if (!labels.id.empty()) extras[id_key] = bytes_of(labels.id);
+  if (!labels.type.empty()) extras[type_key] = bytes_of(labels.type);
+  if (!labels.names.empty()) extras[names_key] = fmt::format("{}", fmt::join(labels.names, "\n"));
+  const Vec3<double>& corner = labels.origin;
+  if (corner != Vec3<double>{}) extras[origin_key] = bytes_of(std::vector{corner.x, corner.y, corner.z});
+  return extras;
+}
+
+/// Takes the labels out of the extras.
+Labels take_labels(std::map<std::string, std::string>& extras) {
+  const auto take = [&](const char* key) {
+    const auto node = extras.extract(key);
+    return node.empty() ? std::string() : node.mapped();
+  };
+  Labels labels;
+  labels.id = list_in<std::int64_t>(take(id_key));
+  labels.type = list_in<std::int32_t>(take(type_key));
+  if (std::istringstream names(take(names_key)); names)
+    for (std::string name; std::getline(names, name);) labels.names.push_back(name);
+  if (const auto corner = list_in<double>(take(origin_key)); corner.size() == 3)
+    labels.origin = {corner[0], corner[1], corner[2]};
+  return labels;
+}
+
 /// Every byte is as it was written; now it must also fit together.
 void check(const Packing& p, const std::filesystem::path& path) {
   const auto fail = [&](const char* section, const char* what) {
@@ -169,6 +217,8 @@ void check(const Packing& p, const std::filesystem::path& path) {
   for (const Species s : p.species)
     if (s != Species::large && s != Species::small)
       fail("species", "has a value beyond 0 (large) and 1 (small)");
+  if (!p.labels.id.empty()) same("labels: id", p.labels.id.size());
+  if (!p.labels.type.empty()) same("labels: type", p.labels.type.size());
   if (!p.order.empty()) {
     same("order", p.order.size());
     std::vector<bool> seen(n);
@@ -191,7 +241,9 @@ bool is_checkpoint(const std::filesystem::path& path) {
 
 void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);
-  exchange(saver, checkpoint);
+  CheckpointView labelled = checkpoint;
+  labelled.extras.merge(to_extras(checkpoint.packing.labels));
+  exchange(saver, labelled);
 }
 
 std::int64_t checkpoint_step(const std::filesystem::path& path) {
@@ -205,6 +257,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   Checkpoint checkpoint;
   Loader loader(path);
   exchange(loader, checkpoint);
+  checkpoint.packing.labels = take_labels(checkpoint.extras);
   check(checkpoint.packing, path);
   return checkpoint;
 }

@@ -35,6 +35,16 @@ std::int64_t Columns::integer(std::string_view name, std::int64_t missing) const
   return k == none ? missing : reader_->integer(words_[k], name);
 }
 
+std::int32_t Columns::type(std::string_view name) const {
+  const std::size_t k = find(name);
+  return k == none ? 0 : reader_->particle_type(words_[k]);
+}
+
+std::int32_t Columns::image(std::string_view name) const {
+  const std::size_t k = find(name);
+  return k == none ? 0 : reader_->image(words_[k]);
+}
+
 std::size_t Columns::find(std::string_view name) const {
   const auto at = std::find(names_.begin(), names_.end(), name);
   return at == names_.end() ? none : static_cast<std::size_t>(at - names_.begin());

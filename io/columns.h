@@ -11,7 +11,7 @@
 
 namespace furnas {
 
-/// The named columns of a table in a text file, and the numbers of its current row.
+/// The named columns of a table in a text file, and the words of its current row.
 class Columns {
  public:
   /// Sets the names; throws InputError if one occurs twice.
@@ -21,10 +21,16 @@ class Columns {
 
   bool has(std::string_view name) const { return find(name) != none; }
   bool has_all(const std::vector<std::string>& names) const;
+  /// The word in the column, which must be there.
+  std::string_view word(std::string_view name) const { return words_[find(name)]; }
   /// The number in the column, or `missing` if there is no such column.
   double real(std::string_view name, double missing = 0) const;
   /// The whole number in the column, or `missing` if there is no such column.
   std::int64_t integer(std::string_view name, std::int64_t missing = 0) const;
+  /// The type of a particle, 1 or more; 0 if there is no such column.
+  std::int32_t type(std::string_view name) const;
+  /// Cells crossed along an edge, or 0 if there is no such column.
+  std::int32_t image(std::string_view name) const;
   /// Three columns as a vector; each that is missing counts as zero.
   Vec3<double> vector(std::string_view x, std::string_view y, std::string_view z) const {
     return {real(x), real(y), real(z)};

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "engine/state/packing.h"
 
 namespace furnas {
 
-/// Reads the first frame of an extended XYZ file of a periodic cell.
+/// Reads a frame of an extended XYZ file of a periodic cell: the one of this number, counted from 1, or the
+/// last.
 ///
-/// Needed are Lattice="..." (a along x, b in the plane of x and y) and the properties pos and radius; id,
-/// mass, velo, force, angular_velocity and torque are taken if there. Throws InputError.
-Packing read_extended_xyz(const std::filesystem::path& path);
+/// Needed are Lattice="..." and the properties pos and radius (or radii, diameter); id, type, image, mass or
+/// masses, velo or momenta, force, angular_velocity and torque are taken if there; the words of species_name,
+/// or of species, are the types. A Lattice of any orientation is turned (FileCell). Throws InputError, also
+/// where the number of rows is not that of a frame's first line.
+Packing read_extended_xyz(const std::filesystem::path& path, std::optional<std::int64_t> frame = {});
 
-/// Writes one frame that OVITO opens with its cell, radii, velocities and forces. Throws OutputError.
+/// Writes one frame that ASE and OVITO open: a chemical element for each type, its name in the column
+/// species_name, and all else that a packing has but its contacts. Throws OutputError.
 void write_extended_xyz(const Packing& packing, const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,14 +11,27 @@
 
 namespace furnas {
 
+/// What a file of a format has a place for, besides ids, types, radii, masses, positions, velocities and
+/// spins. None but a checkpoint has one for contacts with their histories.
+struct Places {
+  bool cell{};    ///< and image flags, and the step
+  bool time{};    ///< of the packing
+  bool forces{};  ///< and torques
+  bool rate{};    ///< strain rate of the cell
+  bool names{};   ///< of types
+};
+
 /// A kind of file that holds a packing.
 struct Format {
   std::string_view name;        ///< as in `export DIR NAME`
   std::string_view extensions;  ///< with dots, between blanks; the first is the usual one
+  Places has;
   /// Whether the first bytes of a file tell that it is one; nothing if they never do.
   bool (*begins)(std::string_view head);
   /// Nothing if the format is only written.
   Packing (*read)(const std::filesystem::path& path);
+  /// The frame of this number, counted from 1, or the last; nothing if such a file holds one packing.
+  Packing (*read_frame)(const std::filesystem::path& path, std::optional<std::int64_t> frame);
   /// Nothing if the format is only read.
   void (*write)(const Packing& packing, const std::filesystem::path& path);
 };
@@ -31,11 +46,16 @@ std::string names_of_read_formats();
 /// The format to write for the extension of a path; throws InputError for an unknown one.
 std::string_view format_by_extension(const std::filesystem::path& path);
 
-/// Reads a packing from a file of any format: its first bytes decide, then its extension. Throws InputError.
-Packing read_packing(const std::filesystem::path& path);
+/// Reads a packing from a file of any format: its first bytes decide, then its extension. Of several frames
+/// the one of this number, counted from 1, or the last. Throws InputError.
+Packing read_packing(const std::filesystem::path& path, std::optional<std::int64_t> frame = {});
 
 /// Writes a packing in the format of this name; throws InputError for an unknown name, OutputError otherwise.
 void write_packing(const Packing& packing, std::string_view format, const std::filesystem::path& path);
+
+/// What of a packing the format of this name has no place for, in words; empty if there is nothing. Throws
+/// InputError for an unknown name.
+std::string lost_in(const Packing& packing, std::string_view format);
 
 /// The usual extension of the format of this name, with its dot; throws InputError for an unknown name.
 std::string_view extension_of(std::string_view format);

@@ -1,9 +1,12 @@
 #include "io/lammps_data.h"
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <optional>
 
+#include "engine/base/numbers.h"
+#include "engine/state/shorter_edges.h"
+#include "io/lammps_header.h"
 #include "io/particle_rows.h"
 #include "io/species_type.h"
 #include "io/text_reader.h"
@@ -13,6 +16,8 @@ namespace furnas {
 namespace {
 
 using Words = std::vector<std::string_view>;
+
+constexpr std::string_view step_in_title = "timestep = ";
 
 /// A line of the section Velocities.
 struct VelocityRow {
@@ -25,6 +30,14 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> li
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+/// The step that a title tells; 0 if it tells none.
+std::int64_t step_of_title(std::string_view title) {
+  const std::size_t at = title.find(step_in_title);
+  if (at == title.npos) return 0;
+  const std::string_view rest = title.substr(at + step_in_title.size());
+  return number_in<std::int64_t>(rest.substr(0, rest.find_first_not_of("0123456789"))).value_or(0);
+}
+
 /// Reads the file section by section; a section begins with a capital letter.
 class DataReader {
  public:
@@ -32,11 +45,14 @@ class DataReader {
 
   Packing read() {
     reader_.require_line("a title line");
+    const std::int64_t step = step_of_title(reader_.line());
     header();
     while (!words_.empty()) section();
     if (rows_.empty()) reader_.fail("there is no section Atoms");
     join_velocities();
-    return assemble(reader_, edges_, std::move(rows_));
+    Packing packing = assemble(reader_, header_.cell(), std::move(rows_), names());
+    packing.step = step;
+    return packing;
   }
 
  private:
@@ -46,84 +62,114 @@ class DataReader {
     while (words_.empty() && reader_.next_line()) words_ = reader_.words('#');
   }
 
+  /// The words behind '#' in the current line.
+  std::vector<std::string> comment() const {
+    const Words all = reader_.words();
+    std::vector<std::string> found;
+    bool behind = false;
+    for (std::string_view word : all) {
+      const std::size_t mark = behind ? 0 : word.find('#');
+      if (mark == word.npos) continue;
+      if (!behind) word.remove_prefix(mark + 1);
+      behind = true;
+      if (!word.empty()) found.emplace_back(word);
+    }
+    return found;
+  }
+
   bool at_section() const {
     const char first = words_.empty() ? '\0' : words_[0][0];
     return first >= 'A' && first <= 'Z';
   }
 
   void header() {
-    for (next(); !words_.empty() && !at_section(); next()) header_line();
-    if (!count_) reader_.fail("the header has no line 'N atoms' after the title, which is the first line");
-    for (std::size_t a = 0; a < 3; ++a)
-      if (!bounds_[a]) reader_.fail(fmt::format("the header has no line 'lo hi {0}lo {0}hi'", "xyz"[a]));
-    edges_.xx = (*bounds_[0])[1] - (*bounds_[0])[0];
-    edges_.yy = (*bounds_[1])[1] - (*bounds_[1])[0];
-    edges_.zz = (*bounds_[2])[1] - (*bounds_[2])[0];
-    check_edges(reader_, edges_);
-  }
-
-  void header_line() {
-    const std::size_t n = words_.size();
-    if (n == 2 && words_[1] == "atoms") {
-      count_ = reader_.particle_count(words_[0], least_row);
-    } else if (n == 3 && words_[1] == "atom" && words_[2] == "types") {
-      types_ = reader_.integer(words_[0], "the number of atom types");
-    } else if (n == 4 && words_[2].size() == 3 && words_[2].ends_with("lo") && words_[2][0] >= 'x' &&
-               words_[2][0] <= 'z') {
-      bounds_[static_cast<std::size_t>(words_[2][0] - 'x')] = {reader_.real(words_[0], "the lower bound"),
-                                                               reader_.real(words_[1], "the upper bound")};
-    } else if (n == 6 && words_[3] == "xy" && words_[4] == "xz" && words_[5] == "yz") {
-      edges_.xy = reader_.real(words_[0], "xy");
-      edges_.xz = reader_.real(words_[1], "xz");
-      edges_.yz = reader_.real(words_[2], "yz");
-    } else if (words_[0] != "0") {  // "0 bonds" and the like promise nothing
-      reader_.fail(
-          "unknown line in the header; expected 'N atoms', 'N atom types', 'lo hi xlo xhi' (y, z) or "
-          "'a b c xy xz yz'");
-    }
+    for (next(); !words_.empty() && !at_section(); next()) header_.take(reader_, words_, comment());
+    header_.finish(reader_);
   }
 
   void section() {
     const std::string_view name = words_[0];
     if (name == "Atoms" && words_.size() == 1) return atoms();
     if (name == "Velocities" && words_.size() == 1) return velocities();
-    if (is_one_of(name, {"Masses", "Pair", "PairIJ"})) {  // say nothing about spheres that Atoms does not
+    if (name == "Masses" && words_.size() == 1) return masses();
+    if (words_ == Words{"Atom", "Type", "Labels"}) return labels();
+    if (is_one_of(name, {"Pair", "PairIJ"})) {  // say nothing about spheres that Atoms does not
       for (next(); !words_.empty() && !at_section();) next();
       return;
     }
-    reader_.fail("unknown section; expected Atoms, Velocities, Masses, Pair Coeffs or PairIJ Coeffs");
+    reader_.fail(
+        "unknown section; expected Atoms, Velocities, Masses, Atom Type Labels, Pair Coeffs or PairIJ "
+        "Coeffs");
+  }
+
+  /// Of spheres, whose mass stands in Atoms, these say nothing; but comments behind them often name the
+  /// types.
+  void masses() {
+    for (next(); !words_.empty() && !at_section(); next())
+      if (const auto names = comment(); names.size() == 1 && words_.size() == 2)
+        name_type(reader_.particle_type(words_[0]), names[0]);
+  }
+
+  void labels() {
+    for (next(); !words_.empty() && !at_section(); next()) {
+      if (words_.size() != 2) reader_.fail("expected 'type label' in the section Atom Type Labels");
+      const std::string label(words_[1]);
+      name_type(reader_.particle_type(words_[0]), label);
+      if (!type_of_label_.emplace(label, reader_.particle_type(words_[0])).second)
+        reader_.fail(fmt::format("the label {} stands twice", label));
+    }
+  }
+
+  void name_type(std::int32_t type, const std::string& name) {
+    if (header_.types() && type > *header_.types()) reader_.fail("the type is not among those of the header");
+    const auto place = static_cast<std::size_t>(type);
+    constexpr std::size_t most_names = 100'000;
+    if (place > most_names) reader_.fail(fmt::format("the type is beyond {}", most_names));
+    if (names_.size() < place) names_.resize(place);
+    names_[place - 1] = name;
+  }
+
+  /// Of the types, if each has one.
+  std::vector<std::string> names() const {
+    if (names_.empty()) return header_.names();
+    const bool all =
+        std::none_of(names_.begin(), names_.end(), [](const auto& name) { return name.empty(); });
+    return all ? names_ : std::vector<std::string>();
   }
 
   /// Goes to the next line of a section and checks its number of columns.
-  void section_line(std::size_t row, std::string_view section, std::size_t columns, std::size_t more = 0) {
+  void section_line(std::size_t row, std::string_view section, std::size_t columns, std::size_t more,
+                    const char* expected) {
     next();
     if (words_.empty() || at_section())
-      reader_.fail(
-          fmt::format("the section {} ends after {} lines; the header promises {}", section, row, *count_));
+      reader_.fail(fmt::format("the section {} ends after {} lines; the header promises {}", section, row,
+                               header_.count()));
     if (words_.size() != columns && words_.size() != more)
-      reader_.fail(fmt::format("{} columns in the section {}; expected {}", words_.size(), section,
-                               section == "Atoms" ? "7 or 10: id type diameter density x y z [ix iy iz]"
-                                                  : "7: id vx vy vz wx wy wz"));
+      reader_.fail(
+          fmt::format("{} columns in the section {}; expected {}", words_.size(), section, expected));
   }
 
   /// After the last line of a section there must be another section or the end of the file.
   void end_section(std::string_view section) {
     next();
     if (!words_.empty() && !at_section())
-      reader_.fail(fmt::format("the section {} has more lines than the {} of the header", section, *count_));
+      reader_.fail(
+          fmt::format("the section {} has more lines than the {} of the header", section, header_.count()));
   }
 
   void atoms() {
     if (!rows_.empty()) reader_.fail("the section Atoms stands here for the second time");
-    const std::string& line = reader_.line();
-    if (const auto comment = line.find('#'); comment != std::string::npos) {
-      const std::string style = line.substr(comment + 1);
-      if (style.find_first_not_of(" \t") != std::string::npos && style.find("sphere") == std::string::npos)
-        reader_.fail("the section Atoms has another style than 'Atoms # sphere'");
-    }
-    rows_.reserve(*count_);
-    for (std::size_t k = 0; k < *count_; ++k) {
-      section_line(k, "Atoms", 7, 10);
+    const std::vector<std::string> style = comment();
+    const bool bonded = !style.empty() && style[0] == "bpm/sphere";
+    if (!style.empty() && !bonded && style[0] != "sphere")
+      reader_.fail("the section Atoms has another style than 'Atoms # sphere' or 'Atoms # bpm/sphere'");
+    const std::size_t columns = bonded ? 8 : 7;
+    const char* const expected = bonded ? "8 or 11: id molecule type diameter density x y z [ix iy iz]"
+                                        : "7 or 10: id type diameter density x y z [ix iy iz]";
+    rows_.reserve(header_.count());
+    for (std::size_t k = 0; k < header_.count(); ++k) {
+      section_line(k, "Atoms", columns, columns + 3, expected);
+      if (bonded) words_.erase(words_.begin() + 1);
       rows_.push_back(atom());
     }
     end_section("Atoms");
@@ -133,14 +179,20 @@ class DataReader {
     ParticleRow row;
     row.line = reader_.line_number();
     row.id = reader_.integer(words_[0], "the id");
-    const std::int64_t type = reader_.integer(words_[1], "the type");
-    if (type < 1 || (types_ && type > *types_)) reader_.fail("the type is not among those of the header");
+    row.type = type_in(words_[1]);
     row.radius = reader_.positive(words_[2], "the diameter") / 2;
     row.mass = sphere_mass(row.radius, reader_.positive(words_[3], "the density"));
-    row.place = in_edges(edges_, vector(4, "the position") -
-                                     Vec3<double>{(*bounds_[0])[0], (*bounds_[1])[0], (*bounds_[2])[0]});
-    if (words_.size() == 10) row.image = {image(7), image(8), image(9)};
+    row.place = header_.cell().place_of(vector(4, "the position"));
+    if (words_.size() == 10)
+      row.image = {reader_.image(words_[7]), reader_.image(words_[8]), reader_.image(words_[9])};
     return row;
+  }
+
+  std::int32_t type_in(std::string_view word) const {
+    if (const auto found = type_of_label_.find(word); found != type_of_label_.end()) return found->second;
+    const std::int32_t type = reader_.particle_type(word);
+    if (header_.types() && type > *header_.types()) reader_.fail("the type is not among those of the header");
+    return type;
   }
 
   Vec3<double> vector(std::size_t column, std::string_view name) const {
@@ -148,17 +200,11 @@ class DataReader {
             reader_.real(words_[column + 2], name)};
   }
 
-  std::int32_t image(std::size_t column) const {
-    const std::int64_t value = reader_.integer(words_[column], "the image");
-    if (std::abs(value) > 1'000'000'000) reader_.fail("the image is beyond 1e9 cells");
-    return static_cast<std::int32_t>(value);
-  }
-
   void velocities() {
     if (!velocities_.empty()) reader_.fail("the section Velocities stands here for the second time");
-    velocities_.reserve(*count_);
-    for (std::size_t k = 0; k < *count_; ++k) {
-      section_line(k, "Velocities", 7);
+    velocities_.reserve(header_.count());
+    for (std::size_t k = 0; k < header_.count(); ++k) {
+      section_line(k, "Velocities", 7, 7, "7: id vx vy vz wx wy wz");
       velocities_.push_back({reader_.integer(words_[0], "the id"), reader_.line_number(),
                              vector(1, "the velocity"), vector(4, "the spin")});
     }
@@ -179,39 +225,51 @@ class DataReader {
     }
   }
 
-  static constexpr std::size_t least_row = 14;  ///< "1 1 1 1 0 0 0\n"
-
   TextReader reader_;
   Words words_;
-  std::optional<std::size_t> count_;
-  std::optional<std::int64_t> types_;
-  std::array<std::optional<std::array<double, 2>>, 3> bounds_;
-  Triangle edges_;
+  LammpsHeader header_;
+  std::vector<std::string> names_;                                  ///< of the types, from sections
+  std::map<std::string, std::int32_t, std::less<>> type_of_label_;  ///< as Atoms may say them
   std::vector<ParticleRow> rows_;
   std::vector<VelocityRow> velocities_;
 };
+
+void write_as_it_is(const Packing& packing, const std::filesystem::path& path) {
+  AtomicFile file(path);
+  const Triangle& h = packing.cell.edges;
+  const Vec3<double>& corner = packing.labels.origin;
+  const std::int32_t types = type_count(packing);
+  print(file, "LAMMPS data file written by furnas, {}{}\n\n", step_in_title, packing.step);
+  print(file, "{} atoms\n{} atom types", packing.size(), types);
+  if (packing.labels.type.empty() || !packing.labels.names.empty()) {
+    print(file, "  #");
+    for (std::int32_t type = 1; type <= types; ++type) print(file, " {}", name_of_type(packing, type));
+  }
+  print(file, "\n\n{} {} xlo xhi\n", corner.x, corner.x + h.xx);
+  print(file, "{} {} ylo yhi\n{} {} zlo zhi\n", corner.y, corner.y + h.yy, corner.z, corner.z + h.zz);
+  print(file, "{} {} {} xy xz yz\n\nAtoms # sphere\n\n", h.xy, h.xz, h.yz);
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const double radius = packing.radius[k];
+    const auto& [ix, iy, iz] = packing.image[k];
+    print(file, "{} {} {} {} {} {} {} {}\n", packing.id(k), type_of(packing, k), 2 * radius,
+          packing.mass[k] / sphere_mass(radius), packing.position(k) + corner, ix, iy, iz);
+  }
+  print(file, "\nVelocities\n\n");
+  for (std::size_t k = 0; k < packing.size(); ++k)
+    print(file, "{} {} {}\n", packing.id(k), packing.velocity[k], packing.spin[k]);
+  file.commit();
+}
 
 }  // namespace
 
 Packing read_lammps_data(const std::filesystem::path& path) { return DataReader(path).read(); }
 
 void write_lammps_data(const Packing& packing, const std::filesystem::path& path) {
-  AtomicFile file(path);
-  const Triangle& h = packing.cell.edges;
-  print(file, "LAMMPS data file written by furnas, timestep = {}\n\n", packing.step);
-  print(file, "{} atoms\n{} atom types\n\n", packing.size(), type_count(packing));
-  print(file, "0 {} xlo xhi\n0 {} ylo yhi\n0 {} zlo zhi\n", h.xx, h.yy, h.zz);
-  print(file, "{} {} {} xy xz yz\n\nAtoms # sphere\n\n", h.xy, h.xz, h.yz);
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    const double radius = packing.radius[k];
-    const auto& [ix, iy, iz] = packing.image[k];
-    print(file, "{} {} {} {} {} {} {} {}\n", k + 1, type_of(packing.species[k]), 2 * radius,
-          packing.mass[k] / sphere_mass(radius), packing.position(k), ix, iy, iz);
-  }
-  print(file, "\nVelocities\n\n");
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    print(file, "{} {} {}\n", k + 1, packing.velocity[k], packing.spin[k]);
-  file.commit();
+  constexpr double farthest_tilt = 0.5;  // LAMMPS refuses more
+  if (!is_tilted(packing.cell.edges, farthest_tilt)) return write_as_it_is(packing, path);
+  Packing shorter = packing;
+  shorten_edges(shorter, farthest_tilt);
+  write_as_it_is(shorter, path);
 }
 
 }  // namespace furnas

@@ -6,15 +6,17 @@
 
 namespace furnas {
 
-/// Reads a LAMMPS data file with atom_style sphere: a periodic cell, the section Atoms (id type diameter
-/// density x y z [ix iy iz]) and, if there is one, Velocities (id vx vy vz wx wy wz).
+/// Reads a LAMMPS data file with atom_style sphere or bpm/sphere: a periodic cell, the section Atoms (id type
+/// diameter density x y z [ix iy iz]; bpm/sphere has a molecule before the type) and, if there is one,
+/// Velocities (id vx vy vz wx wy wz).
 ///
-/// Ids may be any, in any order; sorted, they become 1 ... N. The largest spheres are large, all others
-/// small, whatever their types. The cell's origin is removed. Throws InputError.
+/// Ids may be any, in any order. Types may have names: in the section Atom Type Labels, in comments of the
+/// section Masses, or behind "N atom types". A general triclinic cell (avec, bvec, cvec, abc origin) is
+/// turned (FileCell). The step is that of the title, if it has "timestep = N". Throws InputError.
 Packing read_lammps_data(const std::filesystem::path& path);
 
-/// Writes a data file that LAMMPS and read_lammps_data read; type 1 is large, type 2 small. Throws
-/// OutputError.
+/// Writes a data file that LAMMPS and read_lammps_data read. Of a cell that is tilted by more than half an
+/// edge, which LAMMPS refuses, shorter edges of the same lattice are written. Throws OutputError.
 void write_lammps_data(const Packing& packing, const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/columns.h"
+#include "io/frames.h"
 #include "io/particle_rows.h"
 #include "io/species_type.h"
 #include "io/text_reader.h"
@@ -33,14 +34,15 @@ class DumpReader {
 
   /// The next frame; nothing at the end of the file.
   std::optional<Packing> next() {
-    step_.reset(), count_.reset(), edges_.reset();
+    step_.reset(), count_.reset(), cell_.reset();
+    time_ = 0;
     while (reader_.next_line()) {
       if (reader_.words().empty()) continue;
       const std::string item = reader_.line();
       if (item.starts_with("ITEM: ATOMS")) return atoms();
       header_item(item);
     }
-    if (step_ || count_ || edges_) reader_.fail("the file ends within a frame, before 'ITEM: ATOMS'");
+    if (step_ || count_ || cell_) reader_.fail("the file ends within a frame, before 'ITEM: ATOMS'");
     return std::nullopt;
   }
 
@@ -64,43 +66,80 @@ class DumpReader {
   }
 
   void box(const std::string& item) {
-    const auto words = reader_.words();  // ITEM: BOX BOUNDS [xy xz yz] pp pp pp
-    const bool tilted = words.size() == 9 && words[3] == "xy" && words[4] == "xz" && words[5] == "yz";
-    if (!tilted && words.size() != 6)
-      reader_.fail("expected 'ITEM: BOX BOUNDS pp pp pp' or 'ITEM: BOX BOUNDS xy xz yz pp pp pp'");
-    if (std::count(words.end() - 3, words.end(), "pp") != 3)
+    const auto words = reader_.words();  // ITEM: BOX BOUNDS [xy xz yz, or abc origin] [pp pp pp]
+    std::vector<std::string_view> rest(words.begin() + 3, words.end());
+    const auto begins_with = [&](std::initializer_list<std::string_view> head) {
+      if (rest.size() < head.size() || !std::equal(head.begin(), head.end(), rest.begin())) return false;
+      rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(head.size()));
+      return true;
+    };
+    const bool general = begins_with({"abc", "origin"});
+    const bool tilted = !general && begins_with({"xy", "xz", "yz"});
+    if (rest.size() == 3 && std::count(rest.begin(), rest.end(), "pp") != 3 &&
+        std::all_of(rest.begin(), rest.end(), [](std::string_view flag) { return flag.size() == 2; }))
       reader_.fail("the cell must be periodic in all directions, 'pp pp pp'");
-    std::array<std::array<double, 3>, 3> bounds{};
-    for (auto& row : bounds) {
-      reader_.require_line("a line of " + item);
-      const auto numbers = reader_.words();
-      if (numbers.size() != (tilted ? 3 : 2))
-        reader_.fail(tilted ? "expected 'lo hi tilt'" : "expected 'lo hi'");
-      for (std::size_t a = 0; a < numbers.size(); ++a) row[a] = reader_.real(numbers[a], "the bound");
+    if (!rest.empty() && (rest.size() != 3 || std::count(rest.begin(), rest.end(), "pp") != 3))
+      reader_.fail(
+          "expected 'ITEM: BOX BOUNDS', then nothing, 'xy xz yz' or 'abc origin', then nothing or 'pp pp "
+          "pp'");
+    if (general)
+      general_cell(item);
+    else
+      upright_cell(item, tilted);
+    cell_->check(reader_);
+  }
+
+  /// The numbers of the next line, which must be as many as `expected` says.
+  std::vector<double> bounds(const std::string& item, std::size_t count, const char* expected) {
+    reader_.require_line("a line of " + item);
+    std::vector<double> numbers;
+    for (const std::string_view word : reader_.words()) numbers.push_back(reader_.real(word, "the bound"));
+    if (numbers.size() != count) reader_.fail(fmt::format("expected '{}'", expected));
+    return numbers;
+  }
+
+  void general_cell(const std::string& item) {
+    std::array<Vec3<double>, 3> edges;
+    std::array<double, 3> corner{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = bounds(item, 4, "x, y and z of an edge, and a coordinate of the origin");
+      edges[k] = {row[0], row[1], row[2]};
+      corner[k] = row[3];
     }
-    Triangle h{.xx = 0, .yy = 0, .zz = 0, .yz = bounds[2][2], .xz = bounds[1][2], .xy = bounds[0][2]};
+    cell_.emplace(edges[0], edges[1], edges[2], Vec3<double>{corner[0], corner[1], corner[2]});
+  }
+
+  void upright_cell(const std::string& item, bool tilted) {
+    std::array<std::array<double, 3>, 3> rows{};
+    for (auto& row : rows) {
+      const auto numbers = bounds(item, tilted ? 3 : 2, tilted ? "lo hi tilt" : "lo hi");
+      std::copy(numbers.begin(), numbers.end(), row.begin());
+    }
+    Triangle h{.xx = 0, .yy = 0, .zz = 0, .yz = rows[2][2], .xz = rows[1][2], .xy = rows[0][2]};
     const Overhang over(h);
-    origin_ = {bounds[0][0] - over.x_low, bounds[1][0] - over.y_low, bounds[2][0]};
-    h.xx = bounds[0][1] - over.x_high - origin_.x;
-    h.yy = bounds[1][1] - over.y_high - origin_.y;
-    h.zz = bounds[2][1] - origin_.z;
-    check_edges(reader_, h);
-    edges_ = h;
+    const Vec3<double> corner{rows[0][0] - over.x_low, rows[1][0] - over.y_low, rows[2][0]};
+    h.xx = rows[0][1] - over.x_high - corner.x;
+    h.yy = rows[1][1] - over.y_high - corner.y;
+    h.zz = rows[2][1] - corner.z;
+    cell_.emplace(h, corner);
   }
 
   Packing atoms() {
-    if (!step_ || !count_ || !edges_)
+    if (!step_ || !count_ || !cell_)
       reader_.fail(
           "'ITEM: ATOMS' must follow 'ITEM: TIMESTEP', 'ITEM: NUMBER OF ATOMS' and 'ITEM: BOX BOUNDS'");
     name_columns();
+    NamedTypes names;
     std::vector<ParticleRow> rows;
     rows.reserve(*count_);
     for (std::size_t k = 0; k < *count_; ++k) {
       reader_.require_line(fmt::format("particle {} of {}", k + 1, *count_));
       columns_.row(reader_, reader_.words());
       rows.push_back(particle(static_cast<std::int64_t>(k) + 1));
+      if (!name_column_.empty()) names.note(columns_.word(name_column_), rows.back());
     }
-    Packing packing = assemble(reader_, *edges_, std::move(rows));
+    std::vector<std::string> type_names = names.finish(rows);
+    Packing packing = assemble(reader_, *cell_, std::move(rows), std::move(type_names));
     packing.step = *step_;
     packing.time = time_;
     return packing;
@@ -120,6 +159,7 @@ class DumpReader {
         !use("s", Positions::scaled))
       reader_.fail("there are no columns x y z, xs ys zs, xu yu zu or xsu ysu zsu");
     wrapped_ = !position_[0].ends_with('u');
+    name_column_ = columns_.has("typelabel") ? "typelabel" : columns_.has("element") ? "element" : "";
   }
 
   ParticleRow particle(std::int64_t row_number) const {
@@ -128,10 +168,11 @@ class DumpReader {
     row.id = columns_.integer("id", row_number);
     row.radius = columns_.has("radius") ? columns_.real("radius") : columns_.real("diameter") / 2;
     if (row.radius <= 0) reader_.fail("the radius must be above zero");
-    row.mass = columns_.has("mass") ? columns_.real("mass") : sphere_mass(row.radius);
-    row.place = columns_.vector(position_[0], position_[1], position_[2]);
-    if (positions_ == Positions::cartesian) row.place = in_edges(*edges_, row.place - origin_);
-    if (wrapped_) row.place += columns_.vector("ix", "iy", "iz");
+    row.type = columns_.type("type");
+    row.mass = columns_.real("mass", sphere_mass(row.radius, columns_.real("density", 1)));
+    const Vec3<double> at = columns_.vector(position_[0], position_[1], position_[2]);
+    row.place = positions_ == Positions::cartesian ? cell_->place_of(at) : cell_->place_of_scaled(at);
+    if (wrapped_) row.image = {columns_.image("ix"), columns_.image("iy"), columns_.image("iz")};
     row.velocity = columns_.vector("vx", "vy", "vz");
     row.spin = columns_.vector("omegax", "omegay", "omegaz");
     row.force = columns_.vector("fx", "fy", "fz");
@@ -145,12 +186,12 @@ class DumpReader {
   Columns columns_;
   std::optional<std::int64_t> step_;
   std::optional<std::size_t> count_;
-  std::optional<Triangle> edges_;
+  std::optional<FileCell> cell_;
   double time_ = 0;
-  Vec3<double> origin_;
   std::array<std::string, 3> position_;
   Positions positions_ = Positions::cartesian;
   bool wrapped_ = false;
+  std::string name_column_;  ///< of the names of types; empty without one
 };
 
 }  // namespace
@@ -163,27 +204,33 @@ std::vector<Packing> read_lammps_dump(const std::filesystem::path& path) {
   return frames;
 }
 
-Packing read_last_lammps_frame(const std::filesystem::path& path) {
+Packing read_lammps_frame(const std::filesystem::path& path, std::optional<std::int64_t> frame) {
   DumpReader reader(path);
-  std::optional<Packing> last = reader.next();
-  if (!last) reader.fail("there is no frame; expected 'ITEM: TIMESTEP'");
-  while (auto frame = reader.next()) last = std::move(frame);
-  return std::move(*last);
+  return chosen_frame(reader, frame);
 }
 
 void write_lammps_dump(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   const Triangle& h = packing.cell.edges;
   const Overhang over(h);
+  const Vec3<double>& corner = packing.labels.origin;
+  const bool named = !packing.labels.names.empty();
+  if (packing.time != 0) print(file, "ITEM: TIME\n{}\n", packing.time);
   print(file, "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n", packing.step, packing.size());
   print(file, "ITEM: BOX BOUNDS xy xz yz pp pp pp\n");
-  print(file, "{} {} {}\n", over.x_low, h.xx + over.x_high, h.xy);
-  print(file, "{} {} {}\n", over.y_low, h.yy + over.y_high, h.xz);
-  print(file, "0 {} {}\n", h.zz, h.yz);
-  print(file, "ITEM: ATOMS id type radius xu yu zu vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz\n");
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    print(file, "{} {} {} {} {} {} {} {}\n", k + 1, type_of(packing.species[k]), packing.radius[k],
-          packing.unwrapped(k), packing.velocity[k], packing.spin[k], packing.force[k], packing.torque[k]);
+  print(file, "{} {} {}\n", corner.x + over.x_low, corner.x + (h.xx + over.x_high), h.xy);
+  print(file, "{} {} {}\n", corner.y + over.y_low, corner.y + (h.yy + over.y_high), h.xz);
+  print(file, "{} {} {}\n", corner.z, corner.z + h.zz, h.yz);
+  print(file,
+        "ITEM: ATOMS id type{} mass radius xu yu zu vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz\n",
+        named ? " element" : "");
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const std::int32_t type = type_of(packing, k);
+    print(file, "{} {}{} {} {} {} {} {} {} {}\n", packing.id(k), type,
+          named ? " " + name_of_type(packing, type) : "", packing.mass[k], packing.radius[k],
+          packing.unwrapped(k) + corner, packing.velocity[k], packing.spin[k], packing.force[k],
+          packing.torque[k]);
+  }
   file.commit();
 }
 

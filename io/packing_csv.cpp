@@ -9,11 +9,12 @@ void write_packing_csv(const Packing& packing, const std::filesystem::path& path
   AtomicFile file(path);
   file.write(
       "id,species,radius,mass,x,y,z,velocity_x,velocity_y,velocity_z,spin_x,spin_y,spin_z,"
-      "force_x,force_y,force_z,torque_x,torque_y,torque_z\n");
+      "force_x,force_y,force_z,torque_x,torque_y,torque_z,type\n");
   for (std::size_t k = 0; k < packing.size(); ++k)
-    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,}\n", k + 1, name_of(packing.species[k]),
-          packing.radius[k], packing.mass[k], packing.position(k), packing.velocity[k], packing.spin[k],
-          packing.force[k], packing.torque[k]);
+    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,},{}\n", packing.id(k),
+          name_of_type(packing, type_of(packing, k)), packing.radius[k], packing.mass[k],
+          packing.position(k) + packing.labels.origin, packing.velocity[k], packing.spin[k], packing.force[k],
+          packing.torque[k], type_of(packing, k));
   file.commit();
 }
 

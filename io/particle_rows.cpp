@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
+#include <set>
 
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/state/species.h"
 #include "engine/state/validate.h"
+#include "io/species_type.h"
 
 namespace furnas {
 namespace {
@@ -38,6 +41,45 @@ void check_ids(const TextReader& reader, const std::vector<ParticleRow>& rows) {
                                                rows[k].id, rows[k - 1].line));
 }
 
+std::vector<std::int64_t> ids_of(const std::vector<ParticleRow>& rows) {
+  bool usual = true;
+  std::vector<std::int64_t> ids;
+  for (const ParticleRow& row : rows) {
+    ids.push_back(row.id);
+    usual = usual && row.id == static_cast<std::int64_t>(ids.size());
+  }
+  return usual ? std::vector<std::int64_t>() : ids;
+}
+
+std::vector<std::int32_t> types_of(const std::vector<ParticleRow>& rows) {
+  std::vector<std::int32_t> types;
+  for (const ParticleRow& row : rows) types.push_back(row.type);
+  return types;
+}
+
+/// The species that the name of each type says; nothing where a name says another thing.
+std::optional<std::vector<Species>> species_by_name(const std::vector<std::int32_t>& types,
+                                                    const std::vector<std::string>& names) {
+  std::vector<Species> species;
+  for (const std::int32_t type : types) {
+    if (type < 1 || static_cast<std::size_t>(type) > names.size()) return {};
+    const std::string& name = names[static_cast<std::size_t>(type) - 1];
+    if (name != name_of(Species::large) && name != name_of(Species::small)) return {};
+    species.push_back(name == name_of(Species::large) ? Species::large : Species::small);
+  }
+  return species;
+}
+
+bool are_usual(const std::vector<std::string>& names) {
+  return names.empty() || (names[0] == name_of(Species::large) &&
+                           (names.size() == 1 || (names.size() == 2 && names[1] == name_of(Species::small))));
+}
+
+std::optional<std::int32_t> type_number(std::string_view name) {
+  const auto number = number_in<std::int32_t>(name);
+  return number && *number >= 1 ? number : std::nullopt;
+}
+
 }  // namespace
 
 Vec3<double> in_edges(const Triangle& h, const Vec3<double>& v) {
@@ -58,27 +100,94 @@ bool wrap(const Vec3<double>& place, Fraction& fraction, Image& image) {
          wrap_one(place.z, fraction.z, image[2]);
 }
 
-Packing assemble(const TextReader& reader, const Triangle& edges, std::vector<ParticleRow> rows) {
+void NamedTypes::note(std::string_view name, ParticleRow& row) {
+  if (row.type > 0) {
+    numbered_.try_emplace(row.type, name);
+  } else if (const auto found = known_.find(name); found != known_.end()) {
+    row.type = found->second;
+  } else {
+    row.type = static_cast<std::int32_t>(known_.size()) + 1;
+    known_.emplace(std::string(name), row.type);
+  }
+}
+
+std::vector<std::string> NamedTypes::names_of_numbers() const {
+  constexpr std::size_t largest_gap = 100;  // numbers with larger ones are no list
+  std::vector<std::string> names;
+  for (const auto& [type, name] : numbered_) {
+    const auto place = static_cast<std::size_t>(type) - 1;
+    if (place > names.size() + largest_gap) return {};
+    while (names.size() < place) names.push_back(std::to_string(names.size() + 1));
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> NamedTypes::finish(std::vector<ParticleRow>& rows) const {
+  if (known_.empty()) return names_of_numbers();
+  const bool numbers = std::all_of(known_.begin(), known_.end(),
+                                   [](const auto& entry) { return type_number(entry.first).has_value(); });
+  const bool usual = std::all_of(known_.begin(), known_.end(), [](const auto& entry) {
+    return entry.first == name_of(Species::large) || entry.first == name_of(Species::small);
+  });
+  std::vector<std::string> names;
+  if (usual) names = {std::string(name_of(Species::large)), std::string(name_of(Species::small))};
+  std::vector<std::int32_t> final_type(known_.size() + 1);
+  std::int32_t next = 0;
+  for (const auto& [name, type] : known_) {  // in the order of the alphabet
+    ++next;
+    const auto place = static_cast<std::size_t>(type);
+    if (numbers)
+      final_type[place] = *type_number(name);
+    else if (usual)
+      final_type[place] = name == name_of(Species::large) ? 1 : 2;
+    else
+      final_type[place] = next, names.push_back(name);
+  }
+  for (ParticleRow& row : rows) row.type = final_type[static_cast<std::size_t>(row.type)];
+  return names;
+}
+
+void label_by_types(Packing& p, std::vector<std::int32_t> types, std::vector<std::string> names) {
+  if (std::find(types.begin(), types.end(), 0) != types.end()) types.clear();
+  auto by_name = types.empty() ? std::nullopt : species_by_name(types, names);
+  p.species = by_name ? std::move(*by_name) : species_by_type(p.radius, types);
+  keep_types(p, std::move(types), std::move(names));
+}
+
+void keep_types(Packing& p, std::vector<std::int32_t> types, std::vector<std::string> names) {
+  if (types.empty() || std::set<std::string>(names.begin(), names.end()).size() < names.size()) names.clear();
+  bool usual = true;
+  for (std::size_t k = 0; k < types.size() && usual; ++k) usual = types[k] == type_of(p.species[k]);
+  p.labels.type = usual ? std::vector<std::int32_t>() : std::move(types);
+  p.labels.names = usual && are_usual(names) ? std::vector<std::string>() : std::move(names);
+}
+
+Packing assemble(const TextReader& reader, const FileCell& cell, std::vector<ParticleRow> rows,
+                 std::vector<std::string> names) {
   const auto by_id = [](const ParticleRow& a, const ParticleRow& b) { return a.id < b.id; };
   if (!std::is_sorted(rows.begin(), rows.end(), by_id)) std::stable_sort(rows.begin(), rows.end(), by_id);
   check_ids(reader, rows);
   Packing packing;
-  packing.cell.edges = edges;
+  packing.cell.edges = cell.edges();
+  packing.labels.origin = cell.origin();
+  packing.labels.turned = cell.is_turned();
+  packing.labels.id = ids_of(rows);
   packing.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const ParticleRow& row = rows[k];
     packing.radius[k] = row.radius;
     packing.mass[k] = row.mass;
-    packing.image[k] = row.image;
+    packing.image[k] = cell.image_of(row.image);
     if (!wrap(row.place, packing.fraction[k], packing.image[k]))
       reader.fail_at(row.line, "the position is too many cells away");
     if (!above_zero(row.mass)) reader.fail_at(row.line, "the mass must be above zero and finite");
-    packing.velocity[k] = row.velocity;
-    packing.spin[k] = row.spin;
-    packing.force[k] = row.force;
-    packing.torque[k] = row.torque;
+    packing.velocity[k] = cell.turned(row.velocity);
+    packing.spin[k] = cell.turned(row.spin);
+    packing.force[k] = cell.turned(row.force);
+    packing.torque[k] = cell.turned(row.torque);
   }
-  packing.species = species_by_size(packing.radius);
+  label_by_types(packing, types_of(rows), std::move(names));
   return packing;
 }
 

@@ -35,7 +35,8 @@ struct SectionFormat {
   std::uint32_t version{};  ///< grows when the sections change
 };
 
-/// Most raw bytes in a block. It bounds what is allocated before the bytes that justify it have been read.
+/// Most raw bytes in a block. The limit bounds what is allocated before the bytes that justify it have been
+/// read.
 inline constexpr std::size_t block_size = std::size_t{1} << 20;
 
 /// Writes a file of sections.

@@ -1,23 +1,32 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "engine/state/packing.h"
 
 namespace furnas {
 
-/// The type of a species in files of LAMMPS.
-inline int type_of(Species species) { return species == Species::large ? 1 : 2; }
+/// The type of a species in files, where they do not say another.
+inline std::int32_t type_of(Species species) { return species == Species::large ? 1 : 2; }
 
-/// How many types a packing has in files of LAMMPS.
-inline int type_count(const Packing& packing) {
-  return std::find(packing.species.begin(), packing.species.end(), Species::small) == packing.species.end()
-             ? 1
-             : 2;
+/// The name of a species in files, where they do not say another.
+inline std::string_view name_of(Species species) { return species == Species::large ? "large" : "small"; }
+
+/// The type of particle k in files.
+inline std::int32_t type_of(const Packing& p, std::size_t k) {
+  return p.labels.type.empty() ? type_of(p.species[k]) : p.labels.type[k];
 }
 
-/// The name of a species in files.
-inline std::string_view name_of(Species species) { return species == Species::large ? "large" : "small"; }
+/// How many types a packing has in files of LAMMPS, which number them without gaps.
+std::int32_t type_count(const Packing& packing);
+
+/// The name of a type in files: that of its species, or that which a file gave it, or its number.
+std::string name_of_type(const Packing& packing, std::int32_t type);
+
+/// The chemical element that stands for the type of particle k where a file must have one: the type's name if
+/// that is one; of the types 1 and 2 silver for large and gold for small spheres; others for types beyond.
+std::string_view element_of(const Packing& packing, std::size_t k);
 
 }  // namespace furnas

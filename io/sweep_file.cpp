@@ -38,13 +38,16 @@ const Key& key_of(std::string_view path, const toml::node& node, const std::stri
                   place, path, node_text(node), nearest.empty() ? "contact.friction" : nearest));
 }
 
-/// The values of one key of a grid, each checked by itself.
-SweepAxis axis_of(std::string_view path, const toml::node& node, const std::string& place, const Case& base) {
+/// The values of one key of a grid, each checked by itself. A start lies beside the case file.
+SweepAxis axis_of(std::string_view path, const toml::node& node, const std::string& place, const Case& base,
+                  const std::string& file) {
   const Key& key = key_of(path, node, place);
   SweepAxis axis{std::string(path), {}};
   const auto take = [&](const toml::node& value) {
     Case c = base;
     assign(key, value, c, place);
+    if (path == start_key) c.start.file = file_path(file, path, c.start.file, place);
+    if (path == "mixture.diameters") c.mixture.diameters = file_path(file, path, c.mixture.diameters, place);
     axis.values.push_back(value_text(key, c));
   };
   if (const toml::array* list = node.as_array())
@@ -70,7 +73,7 @@ SweepGrid grid_of(const toml::table& table, const std::string& file, const Case&
     if (key.str() == "samples")
       grid.samples = samples_in(node, place_of(node, file));
     else
-      grid.axes.push_back(axis_of(key.str(), node, place_of(node, file), base));
+      grid.axes.push_back(axis_of(key.str(), node, place_of(node, file), base, file));
   return grid;
 }
 

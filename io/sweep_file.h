@@ -9,6 +9,9 @@
 
 namespace furnas {
 
+/// The key whose value is a file.
+inline constexpr const char* start_key = "start.file";
+
 /// A key of the case and the values it takes in turn.
 struct SweepAxis {
   std::string key;                  ///< "contact.friction"
@@ -32,8 +35,8 @@ struct SweepFile {
 bool holds_sweep(const std::filesystem::path& file);
 
 /// Reads a case file that has a sweep in it, with the assignments of `overrides` in its case. Every key of a
-/// grid is a key of the case in quotes with one value or a list of them; `samples` is how many seeds. Errors
-/// are those of read_case.
+/// grid is a key of the case in quotes with one value or a list of them; `samples` is how many seeds. A
+/// start.file of a grid lies beside the case file, too. Errors are those of read_case.
 SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 }  // namespace furnas

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "engine/base/numbers.h"
@@ -76,6 +78,8 @@ bool TextReader::next_line() {
     fail("the file cannot be read any further");
   }
   ++line_number_;
+  if (stream_.eof() && !words().empty())
+    fail("the file ends within this line, which has no line end: it may have been cut short");
   if (line_number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
   if (line_.ends_with('\r')) line_.pop_back();
   return true;
@@ -127,6 +131,19 @@ std::int64_t TextReader::integer(std::string_view word, std::string_view name) c
   const std::optional<std::int64_t> value = number_in<std::int64_t>(without_plus(word));
   if (!value) fail(fmt::format("{} is {}; a whole number is expected", name, quoted(word)));
   return *value;
+}
+
+std::int32_t TextReader::particle_type(std::string_view word) const {
+  const std::int64_t value = integer(word, "the type");
+  if (value < 1 || value > std::numeric_limits<std::int32_t>::max())
+    fail(fmt::format("the type is {}; allowed: 1 to {}", value, std::numeric_limits<std::int32_t>::max()));
+  return static_cast<std::int32_t>(value);
+}
+
+std::int32_t TextReader::image(std::string_view word) const {
+  const std::int64_t value = integer(word, "the image");
+  if (std::abs(value) > 1'000'000'000) fail("the image is beyond 1e9 cells");
+  return static_cast<std::int32_t>(value);
 }
 
 std::size_t TextReader::particle_count(std::string_view word, std::size_t least_bytes) const {

@@ -30,7 +30,8 @@ class TextReader {
   /// Opens the file; throws InputError.
   explicit TextReader(const std::filesystem::path& path);
 
-  /// Goes to the next line; false at the end of the file.
+  /// Goes to the next line; false at the end of the file. A last line that has no end is refused, unless it
+  /// is blank: whatever wrote the file was cut short there, perhaps within a number.
   bool next_line();
   /// Goes to the next line; `expected` tells what is missing if there is none.
   void require_line(std::string_view expected);
@@ -52,6 +53,10 @@ class TextReader {
   double positive(std::string_view word, std::string_view name) const;
   /// A whole number.
   std::int64_t integer(std::string_view word, std::string_view name) const;
+  /// The type of a particle: 1 or more.
+  std::int32_t particle_type(std::string_view word) const;
+  /// Cells that a particle has crossed along an edge, up to 1e9.
+  std::int32_t image(std::string_view word) const;
   /// How many particles follow: at least one, and no more than the file can hold if each takes
   /// `least_bytes`.
   std::size_t particle_count(std::string_view word, std::size_t least_bytes) const;

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "engine/state/species.h"
 #include "io/particle_rows.h"
+#include "io/species_type.h"
 #include "io/vtp_reader.h"
 #include "io/vtp_writer.h"
 
@@ -73,6 +75,10 @@ void read_field(VtpReader& file, Packing& packing) {
   };
   packing.cell.edges = triangle(file, "cell");
   if (file.has("FieldData", "rate")) packing.cell.rate = triangle(file, "rate");
+  if (file.has("FieldData", "origin")) {
+    const std::vector<double> corner = file.numbers("FieldData", "origin", 1, 3);
+    packing.labels.origin = {corner[0], corner[1], corner[2]};
+  }
   packing.time = number("TimeValue");
   packing.step = whole(file, number("step"), 9e15, "step");
 }
@@ -85,13 +91,22 @@ void read_sizes(VtpReader& file, Packing& packing) {
   } else {
     for (std::size_t k = 0; k < packing.size(); ++k) packing.mass[k] = sphere_mass(packing.radius[k]);
   }
-  packing.species = species_by_size(packing.radius);
-  if (!file.has("PointData", "species")) return;
+}
+
+void read_species(VtpReader& file, Packing& packing) {
+  std::vector<std::int32_t> types;
+  if (file.has("PointData", "type"))
+    for (const double type : file.numbers("PointData", "type", file.points(), 1)) {
+      types.push_back(static_cast<std::int32_t>(whole(file, type, 2147483647, "type")));
+      if (types.back() < 1) file.fail("the type must be 1 or more");
+    }
+  if (!file.has("PointData", "species")) return label_by_types(packing, std::move(types), {});
   const std::vector<double> species = file.numbers("PointData", "species", file.points(), 1);
   for (std::size_t k = 0; k < packing.size(); ++k) {
     if (species[k] != 0 && species[k] != 1) file.fail("species must be 0 (large) or 1 (small)");
     packing.species[k] = species[k] == 0 ? Species::large : Species::small;
   }
+  keep_types(packing, std::move(types), {});
 }
 
 void read_positions(VtpReader& file, Packing& packing) {
@@ -101,16 +116,42 @@ void read_positions(VtpReader& file, Packing& packing) {
   };
   for (std::size_t k = 0; k < packing.size(); ++k) {
     packing.image[k] = {count(image[k].x), count(image[k].y), count(image[k].z)};
-    if (!wrap(in_edges(packing.cell.edges, points[k]), packing.fraction[k], packing.image[k]))
+    if (!wrap(in_edges(packing.cell.edges, points[k] - packing.labels.origin), packing.fraction[k],
+              packing.image[k]))
       file.fail(fmt::format("particle {}: the position is not finite or too many cells away", k + 1));
   }
 }
 
-void check_order(VtpReader& file) {
-  if (!file.has("PointData", "id")) return;
-  const std::vector<double> id = file.numbers("PointData", "id", file.points(), 1);
-  for (std::size_t k = 0; k < id.size(); ++k)
-    if (id[k] != static_cast<double>(k + 1)) file.fail("the ids must be 1 2 3 ... in this order");
+/// The particle at each place once they stand in the order of their ids; gives the packing these ids.
+std::vector<std::size_t> order_by_id(VtpReader& file, Packing& packing) {
+  std::vector<std::size_t> order(packing.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!file.has("PointData", "id")) return order;
+  std::vector<std::int64_t> id;
+  for (const double number : file.numbers("PointData", "id", file.points(), 1))
+    id.push_back(whole(file, number, 9e15, "id"));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+  bool usual = true;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k > 0 && id[order[k]] == id[order[k - 1]])
+      file.fail(fmt::format("the id {} stands twice; each id occurs once", id[order[k]]));
+    usual = usual && id[order[k]] == static_cast<std::int64_t>(k) + 1;
+  }
+  if (!usual) packing.labels.id = std::move(id);
+  return order;
+}
+
+/// Puts all that there is of particles into this order.
+void reorder(Packing& p, const std::vector<std::size_t>& order) {
+  if (std::is_sorted(order.begin(), order.end())) return;
+  const auto put = [&](auto& list) {
+    if (list.empty()) return;
+    auto sorted = list;
+    for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = list[order[k]];
+    list = std::move(sorted);
+  };
+  put(p.labels.id), put(p.labels.type), put(p.species), put(p.radius), put(p.mass), put(p.fraction);
+  put(p.image), put(p.velocity), put(p.spin), put(p.force), put(p.torque);
 }
 
 }  // namespace
@@ -118,16 +159,18 @@ void check_order(VtpReader& file) {
 void write_vtp(const Packing& packing, const std::filesystem::path& path) {
   const std::size_t n = packing.size();
   const std::vector<std::int32_t> contacts = coordination(packing);
+  const Vec3<double>& corner = packing.labels.origin;
   const auto each = [n](const char* name, auto element) { return data_array(name, n, element); };
   const auto one = [](const char* name, auto value) {
     return data_array(name, 1, [value](std::size_t) { return value; });
   };
   write_poly_data(
-      {.points = each("Points", [&](std::size_t k) { return packing.position(k); }),
+      {.points = each("Points", [&](std::size_t k) { return packing.position(k) + corner; }),
        .points_of_a_cell = 1,
        .field = {one("cell", matrix(packing.cell.edges)), one("rate", matrix(packing.cell.rate)),
-                 one("TimeValue", packing.time), one("step", packing.step)},
-       .of_points = {each("id", [](std::size_t k) { return static_cast<std::int64_t>(k) + 1; }),
+                 one("TimeValue", packing.time), one("step", packing.step), one("origin", corner)},
+       .of_points = {each("id", [&](std::size_t k) { return packing.id(k); }),
+                     each("type", [&](std::size_t k) { return type_of(packing, k); }),
                      each("species",
                           [&](std::size_t k) { return static_cast<std::uint8_t>(packing.species[k]); }),
                      each("radius", [&](std::size_t k) { return packing.radius[k]; }),
@@ -176,14 +219,15 @@ Packing read_vtp(const std::filesystem::path& path) {
     file.fail("the points, the field array cell (9 numbers) and the point array radius are needed");
   Packing packing;
   read_sizes(file, packing);
+  read_species(file, packing);
   read_field(file, packing);
   packing.velocity = vectors(file, "PointData", "velocity");
   packing.spin = vectors(file, "PointData", "spin");
   packing.force = vectors(file, "PointData", "force");
   packing.torque = vectors(file, "PointData", "torque");
-  check_order(file);
   check_packing(packing, path);
   read_positions(file, packing);
+  reorder(packing, order_by_id(file, packing));
   return packing;
 }
 

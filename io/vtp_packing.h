@@ -8,9 +8,9 @@ namespace furnas {
 
 /// Writes the particles as points with vertex cells for ParaView.
 ///
-/// Point arrays: id, species (0 large, 1 small), radius, mass, image, velocity, spin, force, torque and
+/// Point arrays: id, type, species (0 large, 1 small), radius, mass, image, velocity, spin, force, torque and
 /// coordination (contacts of the particle). Field arrays: cell and rate (rows of the edge matrix h and of the
-/// strain rate e), step, TimeValue. Throws OutputError.
+/// strain rate e), origin (the corner of the cell), step, TimeValue. Throws OutputError.
 void write_vtp(const Packing& packing, const std::filesystem::path& path);
 
 /// Writes each contact as a line from the centre of i along the branch to the centre of j, or of its image.
@@ -23,7 +23,8 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
 void write_cell_vtp(const Packing& packing, const std::filesystem::path& path);
 
 /// Reads what write_vtp() writes, also after ParaView has saved it in its default way. Needed are the point
-/// array radius and the field array cell (9 numbers); all other arrays are taken if there. Throws InputError.
+/// array radius and the field array cell (9 numbers); all other arrays are taken if there, ids in any order.
+/// Throws InputError.
 Packing read_vtp(const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -45,7 +45,7 @@ Section cells(std::string_view tag, std::size_t count, std::size_t points_each) 
   return {tag, {data_array("connectivity", count * points_each, point), data_array("offsets", count, end)}};
 }
 
-/// The section as XML. It has the same length before the offsets are known as afterwards.
+/// The section as XML. Its length is the same before the offsets are known and afterwards.
 std::string in_xml(const Section& section) {
   std::string text = fmt::format("      <{}>\n", section.tag);
   for (std::size_t k = 0; k < section.arrays.size(); ++k) {

@@ -24,7 +24,8 @@ const Look& look_of(const std::optional<PairKind>& kind) {
   return looks[static_cast<std::size_t>(kind.value_or(PairKind::large_large))];
 }
 
-/// Those of one kind each, which all together would only hide; all together where there are no kinds.
+/// The entries of single kinds, which the entry of all kinds would hide; that of all where there are no
+/// kinds.
 template <class List>
 std::vector<const typename List::value_type*> kinds_of(const List& all) {
   std::vector<const typename List::value_type*> kinds;

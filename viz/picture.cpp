@@ -33,7 +33,7 @@ namespace {
 constexpr std::array<std::array<double, 2>, 4> shifts{
     {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
-/// One for each rendering.
+/// A reach for each rendering.
 using Reaches = std::array<double, shifts.size()>;
 
 /// How far from a surface others shade it, from the gaps between small spheres to those between large

@@ -31,8 +31,9 @@ struct Slice {
 std::vector<Sphere> spheres_of(const Packing& packing, const std::vector<Rgb>& colours,
                                const std::array<int, 3>& times, const std::optional<Slice>& slice);
 
-/// Those that can be seen when all are opaque, in a frame of so many pixels: a sphere of a packing of many
-/// millions is nearly always hidden. May keep some that are hidden, never drops one that shows by a pixel.
+/// The spheres that can be seen when all are opaque, in a frame of so many pixels: a sphere of a packing of
+/// many millions is nearly always hidden. May keep hidden spheres; never drops a sphere that shows in a
+/// pixel.
 std::vector<Sphere> visible(const std::vector<Sphere>& spheres, const View& view, int width, int height);
 
 }  // namespace furnas

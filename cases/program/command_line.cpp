@@ -1,8 +1,12 @@
 #include "cases/program/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
+#include <type_traits>
 #include <utility>
+
+#include "engine/base/numbers.h"
 
 namespace furnas {
 
@@ -21,9 +25,26 @@ Argument Argument::one_of(const std::vector<std::string>& all) {
 Argument Argument::excludes(const Argument& other) { return Argument(*option_->excludes(other.option_)); }
 Argument Argument::needs(const Argument& other) { return Argument(*option_->needs(other.option_)); }
 
+namespace {
+
+template <class T>
+inline constexpr bool is_real = std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>> ||
+                                std::is_same_v<T, std::vector<double>>;
+
+/// What is wrong with a word where a real number is wanted; nothing if it is finite, or no number, which
+/// CLI11 says.
+std::string fault_of_real(const std::string& word) {
+  const auto number = number_in<double>(word);
+  return number && !std::isfinite(*number) ? word + " is not finite" : "";
+}
+
+}  // namespace
+
 template <class T>
 Argument CommandLine::add(const std::string& name, T& value, const std::string& does) {
-  return Argument(*app_->add_option(name, value, does));
+  CLI::Option* option = app_->add_option(name, value, does);
+  if constexpr (is_real<T>) option->check(CLI::Validator(fault_of_real, ""));
+  return Argument(*option);
 }
 
 #define FURNAS_INSTANTIATE(T) \

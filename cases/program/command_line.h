@@ -36,7 +36,7 @@ class Argument {
 
 /// What a command takes from the command line: each option is declared once, with the variable it sets.
 ///
-/// It hides CLI11, whose header alone takes a compiler 7 to 10 seconds, from the commands.
+/// The class hides CLI11, whose header alone takes a compiler 7 to 10 seconds, from the commands.
 class CommandLine {
  public:
   explicit CommandLine(CLI::App& app) : app_(&app) {}

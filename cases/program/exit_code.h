@@ -14,6 +14,7 @@ enum class ExitCode {
   output_failed = 7,      ///< a file could not be written; the last checkpoint is good
   folder_in_use = 8,      ///< another run works in the folder
   out_of_memory = 9,      ///< the last checkpoint is good
+  samples_failed = 10,    ///< of a sweep, some or all
   interrupted = 130,      ///< a signal stopped the run after a checkpoint
 };
 

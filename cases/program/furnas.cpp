@@ -66,7 +66,7 @@ void give_back_what_is_freed() {
 int main(int count, char** values) {
   give_back_what_is_freed();
   std::set_terminate(ended_by_a_library);
-  // It asks a run to save; before there is one, and after it, it must not kill.
+  // SIGUSR1 asks a run to save; before a run begins, and after it has ended, the signal must not kill.
   std::signal(SIGUSR1, SIG_IGN);
 #define FURNAS_CALL(verb) furnas::verb##_command(),
   const std::vector<furnas::Command> commands = {FURNAS_COMMANDS(FURNAS_CALL)};

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t page = std::size_t{2} << 20;
 
-/// Memory, nothing if there is none. What fills pages of two megabytes gets such, where the system gives them
-/// when asked (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step looks up partners all over
-/// its arrays, and with pages of 4 kB the processor spends a fifth of its time on finding where they are. The
-/// last page is a large one only if it is well filled, so that little is wasted.
+/// Memory, null if there is none. An array that fills pages of two megabytes is placed on such pages, where
+/// the system gives them when asked (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step looks
+/// up partners all over its arrays, and with pages of 4 kB the processor spends a fifth of its time on
+/// finding where they are. The last page is a large one only if it is well filled, so that little is wasted.
 void* allocate(std::size_t size) {
   const std::size_t all = (size + page - 1) / page * page;
   const std::size_t large = all - size < size / 4 ? all : size / page * page;

@@ -1,5 +1,8 @@
 #include "cases/program/packing_source.h"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <ostream>
 
 #include "cases/program/run/recording.h"
@@ -24,10 +27,13 @@ PackingSource source_from(Checkpoint checkpoint, const std::string& name) {
 
 }  // namespace
 
-PackingSource packing_source(const std::string& name) {
+PackingSource packing_source(const std::string& name, std::optional<std::int64_t> frame) {
+  if (frame && fs::is_directory(name))
+    throw InputError(fmt::format("--frame {}: {} is the folder of a run; allowed: a file with several frames",
+                                 *frame, name));
   if (fs::is_directory(name)) return source_from(Checkpoints::read_newest(name), name);
-  if (is_checkpoint(name)) return source_from(read_checkpoint(name), name);
-  return {read_packing(name), {}, {}};
+  if (is_checkpoint(name) && !frame) return source_from(read_checkpoint(name), name);
+  return {read_packing(name, frame), {}, {}};
 }
 
 void remark_on_older_checkpoint(const std::string& name, std::ostream& out) {
@@ -37,8 +43,20 @@ void remark_on_older_checkpoint(const std::string& name, std::ostream& out) {
         << " is newer. The folder as argument means the newest\n";
 }
 
-void add_packing_source(CommandLine& app, std::string& name) {
+void add_packing_source(CommandLine& app, std::string& name, std::optional<std::int64_t>& frame) {
   app.add("DIR or FILE", name, "folder of a run, or a packing in any format").required();
+  add_frame(app, frame);
+}
+
+void add_frame(CommandLine& app, std::optional<std::int64_t>& frame) {
+  app.add("--frame", frame,
+          "of a file with several frames (LAMMPS dump, extended XYZ), from 1; default: the last")
+      .between(1, std::numeric_limits<int>::max());
+}
+
+void remark_on_losses(const Packing& packing, std::string_view format, std::ostream& out) {
+  if (const std::string lost = lost_in(packing, format); !lost.empty())
+    out << "furnas: " << format << " has no place for " << lost << ": left out\n";
 }
 
 fs::path folder_about(const std::string& folder_or_file, const std::string& wanted) {

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/program/command_line.h"
@@ -20,8 +21,9 @@ struct PackingSource {
   std::vector<RestingState> reached;  ///< the pressures at which the run had come to rest
 };
 
-/// The folder of a run (its newest checkpoint, with all contacts) or a file of any format.
-PackingSource packing_source(const std::string& folder_or_file);
+/// The folder of a run (its newest checkpoint, with all contacts) or a file of any format; of a file with
+/// several frames the one of this number, counted from 1, or the last. Throws InputError.
+PackingSource packing_source(const std::string& folder_or_file, std::optional<std::int64_t> frame = {});
 
 /// Says so if the source is a checkpoint and its folder has a newer one.
 void remark_on_older_checkpoint(const std::string& folder_or_file, std::ostream& out);
@@ -30,8 +32,14 @@ void remark_on_older_checkpoint(const std::string& folder_or_file, std::ostream&
 /// lies.
 std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file);
 
-/// Declares the argument that names such a source, into `name`.
-void add_packing_source(CommandLine& app, std::string& name);
+/// Declares the argument that names such a source, into `name`, and the option for its frame.
+void add_packing_source(CommandLine& app, std::string& name, std::optional<std::int64_t>& frame);
+
+/// Declares the option for the frame of a file alone.
+void add_frame(CommandLine& app, std::optional<std::int64_t>& frame);
+
+/// Says what of the packing a file of this format has no place for, if anything.
+void remark_on_losses(const Packing& packing, std::string_view format, std::ostream& out);
 
 /// Where files about a packing go: the folder `wanted`, made if it is missing, else that of the run, else
 /// that in which the packing's file lies. Throws InputError, also when a file stands in its place.

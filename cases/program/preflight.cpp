@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/program/census.h"
 #include "cases/program/run/progress.h"
 #include "engine/base/sphere.h"
 #include "engine/monitor/stability.h"
@@ -15,34 +16,6 @@
 
 namespace furnas {
 namespace {
-
-double mass_of(double diameter) { return sphere_mass(0.5 * diameter); }
-
-/// Largest and smallest diameter and the number of particles.
-struct Census {
-  double large{}, small{};  ///< diameters [d_s]
-  double larges{}, smalls{};
-  double volume{};  ///< of the spheres [d_s^3]
-  double particles() const { return larges + smalls; }
-};
-
-Census census_of(const Case& c) {
-  Census n;
-  if (c.start.file.empty() && c.mixture.diameters.empty()) {
-    n.large = large_diameter(mixture_of(c));
-    n.larges = static_cast<double>(c.mixture.large);
-    n.smalls = small_count(mixture_of(c));
-    n.small = n.smalls > 0 ? 1.0 : n.large;
-    n.volume = n.larges * mass_of(n.large) + n.smalls * mass_of(1);
-    return n;
-  }
-  const Packing packing = start_of(c);
-  n.large = 2 * *std::max_element(packing.radius.begin(), packing.radius.end());
-  n.small = 2 * *std::min_element(packing.radius.begin(), packing.radius.end());
-  for (Species s : packing.species) ++(s == Species::large ? n.larges : n.smalls);
-  n.volume = packing.sphere_volume();
-  return n;
-}
 
 /// The largest whole number below `tried` that fits; 0 if none does.
 template <class Fits>
@@ -115,22 +88,48 @@ std::string refusal_of_time(double seconds_a_step, const Case& c, double smalles
   return {};
 }
 
-Touch<double> pair_of(double a, double b) {
-  return resting_touch(a / 2, b / 2, reduced_mass(mass_of(a), mass_of(b)), 0);
+Touch<double> pair_of(const Census::Kind& a, const Census::Kind& b) {
+  return resting_touch(a.diameter / 2, b.diameter / 2, reduced_mass(a.mass, b.mass), 0);
 }
 
-std::string pair_line(const char* name, double a, double b, const AnyLaw& law) {
-  const double e = restitution(law, pair_of(a, b));
-  return fmt::format("  {:<12} restitution {}\n", name, e > 0 ? fmt::format("{:.4f}", e) : "0 (overdamped)");
+/// The pair of the two lightest spheres, which swings fastest.
+Touch<double> lightest_pair(const Census& n) {
+  const double radius = n.sizes.smallest / 2;
+  return resting_touch(radius, radius, reduced_mass(n.lightest[0], n.lightest[1]), 0);
 }
 
 std::string pairs_report(const Census& n, const AnyLaw& law) {
   std::string text = "pairs\n";
-  if (n.smalls > 0) text += pair_line("small-small", n.small, n.small, law);
-  if (n.smalls > 0 && n.larges > 0 && n.large > n.small)
-    text += pair_line("small-large", n.small, n.large, law);
-  if (n.larges > 0) text += pair_line("large-large", n.large, n.large, law);
+  const auto line = [&](const Census::Kind& a, const Census::Kind& b) {
+    const double e = restitution(law, pair_of(a, b));
+    const std::string name = a.name + "-" + b.name;
+    text += fmt::format("  {:<{}} restitution {}\n", name, n.polydisperse ? 17 : 12,
+                        e > 0 ? fmt::format("{:.4f}", e) : "0 (overdamped)");
+  };
+  const Census::Kind &first = n.kinds.front(), &last = n.kinds.back();
+  line(first, first);
+  if (n.kinds.size() == 1) return text;
+  if (last.diameter > first.diameter) line(first, last);
+  line(last, last);
   return text;
+}
+
+/// A time step at which the two lightest spheres are unstable: it was chosen, or found allowed, for those of
+/// density 1.
+std::string refusal_of_step(const Census& n, double dt, const AnyLaw& law) {
+  const double limit = largest_stable_step(law, lightest_pair(n));
+  if (dt < limit) return {};
+  return fmt::format(
+      "the time step {:.4g} is too long for the two lightest spheres, of masses {:.4g} and {:.4g} rho d_s^3; "
+      "allowed: compaction.time_step_absolute below {:.4g}",
+      dt, n.lightest[0], n.lightest[1], limit);
+}
+
+/// What one d_s is in the unit of the case's list of diameters; empty without one.
+std::string unit_of_list(const Case& c) {
+  if (c.mixture.diameters.empty()) return {};
+  return fmt::format("1 d_s is {:g}, the smallest diameter in {}", read_diameters(c.mixture.diameters).unit,
+                     c.mixture.diameters);
 }
 
 }  // namespace
@@ -148,40 +147,34 @@ double expected_memory(double particles, const Case& c) {
   return std::max(running, renderer + pixel * edge * edge + particles * drawn_particle);
 }
 
-std::string unit_of_list(const Case& c) {
-  return fmt::format("1 d_s is {:g}, the smallest diameter in {}", read_diameters(c.mixture.diameters).unit,
-                     c.mixture.diameters);
-}
-
 Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const Census n = census_of(c);
   Preflight out;
-  out.report +=
-      fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
-                  n.particles(), n.larges, n.large, n.smalls, n.smalls > 0 ? n.small : 1.0);
-  if (n.smalls > 0 && n.larges > 0 && n.large == n.small)
-    out.report += "          all equal: with a size ratio of 1 large and small differ in name alone\n";
-  if (!c.mixture.diameters.empty()) out.report += "units     " + unit_of_list(c) + "\n";
+  out.report += text_of(n);
   const AnyLaw law = law_of(protocol_of(c));
-  const double dt = time_step_of(protocol_of(c), n.small);
+  const double smallest = n.sizes.smallest, dt = time_step_of(protocol_of(c), smallest);
   out.report += fmt::format(
       "time step {:.6g}, {:.3g} t_c ({}), {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n", dt,
-      relative_time_step(protocol_of(c), n.small), choice_of_step(c),
-      dt * pair_frequency(law, pair_of(n.small, n.small)));
+      relative_time_step(protocol_of(c), smallest), choice_of_step(c),
+      dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
+  out.refusal = refusal_of_units(n, c);
+  out.remark = unit_of_list(c);
+  for (const std::string& units : {out.refusal, out.remark})
+    if (!units.empty()) out.report += "units     " + units + "\n";
 
   const double dense = 0.64;
   const double edge = std::cbrt(n.volume / dense);
-  const double diameters = edge / n.large;
+  const double diameters = edge / n.sizes.largest;
   out.report += fmt::format(
       "cell      about {:.1f} largest diameters wide when dense{}{}\n", diameters,
       remark_on_thickness(diameters),
       diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
-  out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles(), c) / 1e9);
+  out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles, c) / 1e9);
   const int threads =
-      c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles()));
+      c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles));
   const double rate = pace_of_a_core * threads;
-  const auto seconds = [&](double steps) { return steps * n.particles() / rate; };
+  const auto seconds = [&](double steps) { return steps * n.particles / rate; };
   out.report += fmt::format(
       "time      about {} for 3e4 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
       duration_text(seconds(3e4)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
@@ -189,11 +182,12 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&
-      windows * steps_of_window(c, n.small) > static_cast<double>(c.stop.steps))
+      windows * steps_of_window(c, smallest) > static_cast<double>(c.stop.steps))
     out.report += fmt::format("verdict   none: {} window{} of {} t_c do not fit into the cap of {} steps\n",
                               windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
-  out.refusal = refusal_of_memory(n.particles(), limit, c);
-  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c, n.small);
+  if (out.refusal.empty()) out.refusal = refusal_of_memory(n.particles, limit, c);
+  if (out.refusal.empty()) out.refusal = refusal_of_step(n, dt, law);
+  if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c, smallest);
   return out;
 }
 

@@ -64,11 +64,12 @@ constexpr const char* exit_codes =
     "  2    the case, an option or a path cannot be used\n"
     "  3    refused, because the case would fail\n"
     "  4    a part of the certificate failed\n"
-    "  5    steps or wall time are spent; resume goes on\n"
+    "  5    steps or wall time are spent; resume goes on (sweep: of some samples)\n"
     "  6    the packing diverged; the last good state is saved\n"
     "  7    a file cannot be written; the last checkpoint is good\n"
     "  8    another run works in the folder\n"
     "  9    out of memory; the last checkpoint is good\n"
+    "  10   of a sweep: some or all samples failed or diverged\n"
     "  130  stopped by a signal, and saved; resume goes on\n";
 
 /// Whether all that was printed has arrived, on a disk that may be full.

@@ -25,7 +25,7 @@ cp -r README.md CONTRIBUTING.md CHANGELOG.md CITATION.cff LICENSE docs "$pages"
 find cases -name '*.toml' | cpio --quiet -pdm "$pages" 2>/dev/null || cp -r cases "$pages"
 rm -rf "$pages/docs/site" "$pages/cases/program"
 cp docs/site/katex.js docs/site/site.css "$pages"
-cp -r "$katex" "$pages/katex"
+cp -rL "$katex" "$pages/katex"
 mkdir "$pages/cpp"
 {
   cat docs/site/Doxyfile

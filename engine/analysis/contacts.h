@@ -41,7 +41,7 @@ Selection all_contacts(const Packing& packing);
 Selection backbone_contacts(const Packing& packing, const std::vector<bool>& live,
                             const std::vector<bool>& rattler);
 
-/// Those of a kind.
+/// The contacts of a kind.
 Selection of_kind(const Packing& packing, const Selection& contacts, PairKind kind);
 
 }  // namespace furnas

@@ -59,8 +59,8 @@ class Seated {
   Seat before_;
 };
 
-/// What a helper does, as a task. It is handed over inside the library of oneTBB, where ThreadSanitizer sees
-/// nothing; so the thread that puts it down and the one that takes it up say so here.
+/// The work of a helper, as a task. The task is handed over inside the library of oneTBB, where
+/// ThreadSanitizer sees nothing; so the thread that hands it over and the thread that takes it say so here.
 class Helper {
  public:
   Helper(std::shared_ptr<Team> team, int member) : team_(std::move(team)), member_(member) {}

@@ -33,8 +33,8 @@ struct Bond {
 std::vector<Bond> bonds_of(const ContactNetwork& network, const Backbone& backbone,
                            Eigen::Index per_particle);
 
-/// A particle that bridges two others, with two contacts. It may spin about the line through its contact
-/// points: nothing moves and no force changes.
+/// A particle that bridges two others, with two contacts. Such a particle may spin about the line through its
+/// contact points: nothing moves and no force changes.
 struct Bridge {
   Eigen::Index turn;     ///< first unknown of its turn
   Eigen::Vector3d axis;  ///< of length 1

@@ -178,8 +178,8 @@ std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const B
   return std::to_string(std::lround(100 * share)) + " % of its energy is in the particles " + ids;
 }
 
-/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not. Out of
-/// balance the motions are those of a packing on its way, and their growth is told, not judged.
+/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not. Where
+/// forces do not balance, the packing still moves; growth is then shown and not judged.
 Part growth_part(const SmallMotion& motion, const Growth& growth, const std::optional<Growth>& in_the_run,
                  const Backbone& backbone, Balance balance) {
   const bool judged = balance != Balance::off;

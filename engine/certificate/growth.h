@@ -29,7 +29,7 @@ struct Growth {
   bool asked{};                    ///< there were not too many unknowns
   bool valid{};                    ///< the equations of motion could be solved
   std::vector<GrowingMode> modes;  ///< the fastest that grow, were contacts to slide both ways; at most 12
-  /// One in which each contact at its limit slides or sticks as that motion has it.
+  /// The mode in which each contact at its limit slides or sticks as the motion of the mode asks.
   std::optional<GrowingMode> certain;
 
   /// Of the former the fastest that is not in doubt; null if there is none.
@@ -41,9 +41,9 @@ struct Growth {
 ///
 /// Few unknowns: all of them, from a dense matrix. Many: Arnoldi's method on (A - sigma)^-1, x' = A x, for
 /// each of several real shifts sigma, from a random motion; M sigma^2 + C sigma + K is factored once each
-/// (UMFPACK). It finds what lies around sigma first, and what lies to the right of the rest. What grows is
-/// then iterated with its own lambda as the shift until it is exact, and its left eigenvector with it, which
-/// tells how far it is in doubt.
+/// (UMFPACK). The method finds eigenvalues near sigma first, and those far to the right. A mode that grows is
+/// then refined with its own lambda as the shift, and so is its left eigenvector, from which its doubt
+/// follows.
 Growth find_growth(const SmallMotion& motion);
 
 }  // namespace furnas

@@ -22,12 +22,12 @@ struct Modes {
   double residual{};           ///< largest |K v - lambda v| of them, |v| = 1, by contacts without a matrix
   StrainMatrix relaxed = StrainMatrix::Zero();  ///< what strains cost when the particles follow [k_n d_s^2]
 
-  /// Whether the k-th of them is flat or negative, and in doubt by more than that: held by no spring, and
-  /// whether its prestress holds it hangs on forces that are not known so well.
+  /// Whether the k-th mode is flat or negative, and its doubt is larger than its size: no spring resists the
+  /// mode, and the sign of its prestress depends on forces that are smaller than the imbalance.
   bool open(std::size_t k) const {
     return lowest[k] < flat_mode && doubt[k] > std::max(std::abs(lowest[k]), flat_mode);
   }
-  /// Those that are negative or flat beyond doubt; one that is not among the lowest is.
+  /// Number of modes that are negative or flat beyond doubt; a negative mode that was not looked at counts.
   std::int64_t unstable() const;
 };
 

@@ -29,8 +29,8 @@ struct CellMotion {
 /// of its own: to first order xi is what u, theta and, if contacts feel the cell's flow, e have made of it.
 ///
 /// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
-/// Those of the cell stand last: the strains it is free to make, in units of what one adds to the
-/// displacement of all particles together. The spin of a bridge is held with 1 k_n and critical damping.
+/// Unknowns of the cell stand last: the strains that it is free to make, in units of the displacement that a
+/// strain adds to all particles together. The spin of a bridge is held with 1 k_n and critical damping.
 class SmallMotion {
  public:
   using Sparse = Eigen::SparseMatrix<double>;

@@ -9,13 +9,14 @@ namespace furnas {
 /// more.
 ///
 /// The basin is found when the packing carries the pressure with contacts that hold and its motion is small
-/// against the energy of its contacts; before, what moves still compacts it. Then all motion is taken out and
-/// forces are balanced to a part in 1e8. A search has many calls with a step between them, so that the run
-/// may be saved and stopped; the energy that goes is booked as quenched, the work of the bath as that of the
-/// cell. The verdict is left to the steps that follow: all criteria must hold over a window of them.
+/// against the energy of its contacts; before, the motion still compacts the packing. Then all motion is
+/// taken out and forces are balanced to a part in 1e8. A search has many calls with a step between them, so
+/// that the run may be saved and stopped; the energy that goes is booked as quenched, the work of the bath as
+/// that of the cell. The verdict is left to the steps that follow: all criteria must hold over a window of
+/// them.
 ///
-/// A search that has found no minimum after 50 000 evaluations is in a long flat valley, where inertia leads
-/// down as fast: the packing is left to the steps for five windows.
+/// A search that has found no minimum after 50 000 evaluations is in a long flat valley, where time steps
+/// descend as fast: the packing is left to the steps for five windows.
 class Minimize final : public Event {
  public:
   /// `evaluations` at most in one call, between which a run may be saved and stopped; 0: a second or two of
@@ -30,8 +31,7 @@ class Minimize final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
-  /// How often all forces were computed for it since the run began: each time costs as much as one to two
-  /// steps.
+  /// Evaluations of all forces by the minimizer since the run began; one costs as much as one to two steps.
   std::int64_t evaluations() const { return evaluations_; }
 
  private:

@@ -11,10 +11,10 @@ namespace furnas {
 /// times their limits, and the stress within 10 times its own; or when stress and energy have been for fifty
 /// windows though the forces never balance and the cell creeps.
 ///
-/// What still moves then is what no law damps: rattlers that knock at a backbone long settled, a sphere that
-/// spins about its contact normal or, on two contacts, about the line through them, soft modes of many
-/// spheres without friction that keep each other moving. It changes no position and no force, only the time
-/// until they balance; docs/developer/decisions/quench.md has the measurement.
+/// The motion that is left then is motion that no law damps: rattlers that knock at a backbone long settled,
+/// a sphere that spins about its contact normal or, on two contacts, about the line through them, soft modes
+/// of many spheres without friction. A quench changes no position and no force, only the time until forces
+/// balance; docs/developer/decisions/quench.md has the measurement.
 ///
 /// A backbone whose kinetic energy grows from look to look is unstable, and on its way to where it can rest:
 /// a quench would only put that off.
@@ -42,7 +42,8 @@ class Quench final : public Event {
   bool steady_ = false;
   std::int64_t count_ = 0;
   double pressure_ = 0;  ///< of the bath when last asked; the following are since it is so [k_n/d_s]
-  std::int64_t slow_windows_ = 0;  ///< ends of windows with all but the balance nearly there, more than not
+  std::int64_t slow_windows_ =
+      0;  ///< windows that ended with stress and energy near their limits, less those that did not
   std::deque<double>
       energies_;  ///< of the backbone at the looks since the last quench, ten at most [k_n d_s^2]
 };

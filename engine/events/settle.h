@@ -38,8 +38,8 @@ class PhiRecord {
 /// Ends the run as settled when what phi may still change is bounded below criteria.phi_error.
 ///
 /// The bound is asked for at the ends of windows in which the packing is nearly at rest (stress within 10
-/// times its limit, balance and energy within 100 times theirs) and its backbone does not gain speed. It is
-/// the sum of
+/// times its limit, balance and energy within 100 times theirs) and its backbone does not gain speed. The
+/// bound is the sum of
 ///   - creep and avalanches: five times the range of phi over the later half of the time since the packing
 ///     first carried the pressure. Creep slows down with its age: what goes as the logarithm of time moves
 ///     phi by as much in each doubling of the age, and few runs last five doublings more;

@@ -5,8 +5,8 @@
 #define HWY_COMPILE_ONLY_STATIC
 #include <hwy/highway.h>
 
-// One instruction set a translation unit, that of its compiler flags: Highway's namespace is named after it,
-// and so is everything that depends on it. No function compiled for one set can take the place of another's.
+// A translation unit is compiled for one instruction set. Highway's namespace is named after that set, and so
+// is everything that depends on it. No function compiled for one set can take the place of another's.
 namespace furnas::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;

@@ -115,7 +115,7 @@ class TouchingRows {
   using D = Lanes<double>;
   static constexpr std::size_t lanes = D::count;
 
-  /// Asks for the records of the partners in rows that come next. They lie anywhere; without this the
+  /// Asks for the records of the partners in rows that come next. The records lie anywhere; without this the
   /// processor would wait for each of those that another core has written, or that its caches are too small
   /// for.
   void fetch(std::uint64_t row, std::uint64_t stop) const {

@@ -7,10 +7,10 @@ namespace furnas {
 
 /// The law of `pair_style gran/hooke/history` of LAMMPS, step for step, which the study used.
 ///
-/// It mixes instants on purpose: the velocities are those of the middle of the step, the normal that of
-/// its end; the tangential history is projected on the new contact plane without keeping its length;
-/// the lever arms are the full radii. docs/results/verification.md shows what that does to a small sphere
-/// between large ones.
+/// The law mixes instants on purpose, as LAMMPS does: the velocities are those of the middle of the step, the
+/// normal that of its end; the tangential history is projected on the new contact plane without keeping its
+/// length; the lever arms are the full radii. docs/results/verification.md shows what that does to a small
+/// sphere between large ones.
 struct HookeHistory {
   static constexpr const char* name = "hooke_history";
   static constexpr bool spins = true;

@@ -10,12 +10,12 @@
 
 namespace furnas {
 
-/// H = U + p_a V of a packing without friction: U the energy of its contacts, V the volume of its cell. It is
-/// least where all forces balance and the stress is the bath's. Its variables are the positions and those
-/// strains of the cell that the bath lets happen; motion does not count.
+/// H = U + p_a V of a packing without friction: U the energy of its contacts, V the volume of its cell. H is
+/// least where all forces balance and the stress is that of the bath. Its variables are the positions and
+/// those strains of the cell that the bath lets happen; motion does not count.
 ///
-/// It has a place, from which shifts are measured, and a neighbour list that is right near it. Loops run on
-/// the threads of Workers::run(), and sums are ordered: the same bits for any number of them.
+/// The object has a place, from which shifts are measured, and a neighbour list that is right near it. Loops
+/// run on the threads of Workers::run(), and sums are ordered: the same bits for any number of them.
 class Enthalpy {
  public:
   /// Its place is where the packing stands. Throws InputError for a law with friction.

@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t chunk = 256;
 
 /// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
-/// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The shear is exact to its
-/// second order, where it ends, so that a step taken back undoes it; LAMMPS ends it at the first.
+/// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The series of
+/// the shear ends at second order and is complete, so that a step taken back undoes it; LAMMPS ends the
+/// series at first order.
 CellDragStep cell_drag(const Barostat& bath, const Triangle& rate, std::size_t count, double time_step) {
   const double half = 0.5 * time_step;
   const double common = rate.trace() / (3 * static_cast<double>(count));

@@ -30,8 +30,9 @@ struct Outcome {
   bool is_sound = true;  ///< the packing has no fault, and a run may go on from it
 };
 
-/// A packing on its way through a protocol. It reads and writes no files: whoever wants some adds events that
-/// write them. Not safe for use by several threads at once; several runs may be made side by side.
+/// A packing on its way through a protocol. The run reads and writes no files; a program that wants files
+/// adds events that write them. Not safe for use by several threads at once; several runs may be made side by
+/// side.
 class ProtocolRun {
  public:
   /// Begins with the start, or goes on where `past` had come. The start is not kept: once this returns there

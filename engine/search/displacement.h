@@ -35,7 +35,7 @@ double shrinkage_bound(const Triangle& now, const Triangle& then);
 bool is_time_to_ask(const PairList& list, std::int64_t step);
 
 /// Whether the list is so much wider than what the packing has needed under it that a new one pays. A packing
-/// that comes to rest would else keep the needless pairs of its motion for good.
+/// that comes to rest would otherwise keep the needless pairs of its motion for good.
 bool is_too_wide(const PairList& list, const std::vector<double>& displacement, double shrunk,
                  std::int64_t step, std::optional<double> fixed);
 

@@ -73,6 +73,7 @@ class Replica {
     cell_and_sums();
     particles();
     contacts();
+    labels();
     if (!from_.order.empty()) to_.order = memory_order(to_);
     return std::move(to_);
   }
@@ -119,6 +120,14 @@ class Replica {
         }
       }
     });
+  }
+
+  /// Copies have the types of their particles, and new ids.
+  void labels() {
+    to_.labels.names = from_.labels.names;
+    to_.labels.origin = from_.labels.origin;
+    for (std::size_t copy = 0; copy < copies_of(times_); ++copy)
+      to_.labels.type.insert(to_.labels.type.end(), from_.labels.type.begin(), from_.labels.type.end());
   }
 
   void contacts() {

@@ -27,8 +27,8 @@ std::array<std::int8_t, 3> opposite(const std::array<std::int8_t, 3>& image) {
           static_cast<std::int8_t>(-image[2])};
 }
 
-/// Whether the contact is seen from its second particle. One of a particle with its own image has two
-/// descriptions, too: the one whose image comes first counts.
+/// Whether the contact is seen from its second particle. A contact of a particle with its own image has
+/// two descriptions, too: the description whose image comes first counts.
 bool reversed(const Contact& c) { return c.i > c.j || (c.i == c.j && opposite(c.image) < c.image); }
 
 Key key(const Contact& c) { return reversed(c) ? Key{c.j, c.i, opposite(c.image)} : Key{c.i, c.j, c.image}; }

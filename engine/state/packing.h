@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/base/sphere.h"
@@ -40,8 +41,18 @@ struct Contact {
   Vec3<double> history;  ///< tangential displacement xi of i against j [d_s]; zero without friction
 };
 
+/// What the file that a packing was read from calls its parts. It goes through runs and conversions; the
+/// engine asks for none of it.
+struct Labels {
+  std::vector<std::int64_t> id;    ///< of each particle, rising; empty: 1, 2, 3, ...
+  std::vector<std::int32_t> type;  ///< of each particle, 1 or more; empty: 1 is large, 2 is small
+  std::vector<std::string> names;  ///< of the types 1, 2, ...; empty: they have none of their own
+  Vec3<double> origin;             ///< corner of the cell in the coordinates of the file [d_s]
+  bool turned = false;             ///< the cell, and all vectors with it, had another orientation in the file
+  friend bool operator==(const Labels&, const Labels&) = default;
+};
+
 /// A packing as the rest of the program sees it, outside the step: plain doubles, in order of id.
-/// Particle k has the id k + 1 in files.
 struct Packing {
   std::int64_t step{};  ///< steps since the start
   double time{};        ///< [time unit sqrt(m/k_n), m = rho d_s^3]
@@ -59,8 +70,14 @@ struct Packing {
   Stress stress;                       ///< of this instant, as the barostat uses it
   Ledger ledger;                       ///< where the energy came from and went
   std::vector<std::uint32_t> order;    ///< particle at each place in memory; empty: the engine chooses
+  Labels labels;                       ///< what files call the particles
 
   std::size_t size() const { return radius.size(); }
+
+  /// The id of particle k in files.
+  std::int64_t id(std::size_t k) const {
+    return labels.id.empty() ? static_cast<std::int64_t>(k) + 1 : labels.id[k];
+  }
 
   /// Sets the number of particles; new ones are at rest at the origin with no size.
   void resize(std::size_t n) {

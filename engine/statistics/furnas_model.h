@@ -28,8 +28,8 @@ struct Interval {
   double value{}, low{}, high{};
 };
 
-/// The model of a phi_mono that is known to lie in an interval. All it says rises or falls with phi_mono, so
-/// the ends of the interval are carried through.
+/// The model of a phi_mono that is known to lie in an interval. Each number of the model is
+/// monotonic in phi_mono, so the ends of the interval are carried through.
 class FurnasInterval {
  public:
   /// phi_mono +- half_width, both ends in (0, 1); throws ContractError otherwise. A half_width that is not

@@ -56,6 +56,10 @@ void parse_packing(std::string_view bytes) {
   }
 }
 
+Packing last_lammps_frame(const fs::path& path) { return read_lammps_frame(path); }
+
+Packing last_xyz_frame(const fs::path& path) { return read_extended_xyz(path); }
+
 Packing checkpointed(const fs::path& path) { return read_checkpoint(path).packing; }
 
 /// A case that is read is written as a text that reads as the same case.
@@ -91,8 +95,8 @@ constexpr FuzzTarget table[] = {
     {"case",         parse_case_file},
     {"override",     parse_override},
     {"lammps-data",  parse_packing<read_lammps_data>},
-    {"lammps-dump",  parse_packing<read_last_lammps_frame>},
-    {"extxyz",       parse_packing<read_extended_xyz>},
+    {"lammps-dump",  parse_packing<last_lammps_frame>},
+    {"extxyz",       parse_packing<last_xyz_frame>},
     {"vtp",          parse_packing<read_vtp>},
     {"checkpoint",   parse_packing<checkpointed>},
     {"frames",       parse_frames},

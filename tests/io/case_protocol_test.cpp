@@ -148,21 +148,6 @@ TEST(CaseProtocol, AListOfDiametersIsAStart) {
   EXPECT_THAT(refusal_of_start([&] { start_of(c); }), HasSubstr("3 spheres make a cell 1.3 diameters"));
 }
 
-TEST(CaseProtocol, AStartInOtherUnitsIsRefusedWithTheCommandThatRescales) {
-  const TemporaryFolder folder;
-  Packing packing = random_packing(2);
-  std::fill(packing.radius.begin(), packing.radius.end(), 20.0);
-  packing.cell.edges = {400, 400, 400, 0, 0, 0};
-  packing.contacts.clear();
-  const std::string path = folder / "big.extxyz";
-  write_packing(packing, "extxyz", path);
-  Case c;
-  c.start.file = path;
-  EXPECT_THAT(refusal_of_start([&] { start_of(c); }),
-              AllOf(HasSubstr("the smallest sphere has a diameter of 40"),
-                    HasSubstr("furnas import " + path + " --scale 0.025 --out start.vtp")));
-}
-
 TEST(CaseProtocol, TheSmallestSpheresThatExistAreTheUnit) {
   Case c;
   c.mixture = {.size_ratio = 10, .large = 50};

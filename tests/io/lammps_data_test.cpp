@@ -56,6 +56,7 @@ TEST(LammpsData, RoundTripIsExactToRounding) {
     expect_same_packing(p, q, 1e-13);
     expect_same_unwrapped(p, q);
     EXPECT_EQ(p.cell.edges, q.cell.edges);
+    EXPECT_EQ(p.step, q.step);
     for (std::size_t k = 0; k < p.size(); ++k) EXPECT_NEAR(p.mass[k] / q.mass[k], 1, 1e-15);
   }
 }
@@ -96,6 +97,12 @@ TEST(LammpsData, RefusesMalformedFiles) {
           {"7 1 2 3", "8 1 2 3", "a.data:19: the section Velocities must have each id"},
           {"3 .1 .2", "x .1 .2", "a.data:18: the id is 'x'"},
           {"7 2 3.0", "7 3 3.0", "type"},
+          {"7 2 3.0", "7 0 3.0", "the type is 0; allowed: 1"},
+          {"3 1 1.0 2.0 1 -1 0 0 0 0\n", "3 1 1.0 2.0 1 -1 0 0 0 0",
+           "a.data:24: the file ends within this line"},
+          {"Atoms # sphere", "Atoms # bpm/sphere", "8 or 11: id molecule type"},
+          {"Atoms # sphere", "Atoms # hybrid sphere", "another style"},
+          {"1 5 xlo xhi", "1 5 0 avec", "no line 'x y z bvec'"},
           {"7 2 3.0", "7 2 0", "the diameter is '0'; it must be above zero"},
           {"7 2 3.0", "7 2 -3", "above zero"},
           {"7 2 3.0", "7 2 1e400", "the diameter is '1e400'; it must be finite"},
@@ -110,6 +117,87 @@ TEST(LammpsData, RefusesMalformedFiles) {
           {"Atoms # sphere\n\n7 2 3.0 1.0 2 1 2 0 -1 2\n3 1 1.0 2.0 1 -1 0 0 0 0\n", "", "no section Atoms"},
       },
       folder / "a.data", read_lammps_data);
+}
+
+TEST(LammpsData, KeepsIdsTypesStepAndOrigin) {
+  const TemporaryFolder folder;
+  std::string text = valid_data;
+  write_file(folder / "a.data", text.replace(0, text.find('\n'), "via write_data, timestep = 2000"));
+  const Packing p = read_lammps_data(folder / "a.data");
+  EXPECT_EQ(p.step, 2000);
+  EXPECT_EQ(p.labels.id, (std::vector<std::int64_t>{3, 7}));
+  EXPECT_EQ(p.labels.type, (std::vector{1, 2})) << "type 1 is small";
+  EXPECT_EQ(p.labels.origin, (Vec3<double>{1, -1, 0}));
+  write_lammps_data(p, folder / "b.data");
+  EXPECT_EQ(read_lammps_data(folder / "b.data").labels, p.labels);
+  EXPECT_NE(content(folder / "b.data").find("\n3 1 1 2 1 -1 0 0 0 0\n"), std::string::npos)
+      << content(folder / "b.data");
+}
+
+/// Two types, each told in the ways that programs have.
+TEST(LammpsData, KnowsTheNamesOfTypes) {
+  const TemporaryFolder folder;
+  const auto names = [&](const std::string& from, const std::string& to) {
+    std::string text = valid_data;
+    write_file(folder / "a.data", text.replace(text.find(from), from.size(), to));
+    return read_lammps_data(folder / "a.data").labels.names;
+  };
+  const std::vector<std::string> copper{"Cu", "Zr"};
+  EXPECT_EQ(names("2 atom types", "2 atom types # Cu Zr"), copper);
+  EXPECT_EQ(names("1 1\n2 1\n", "1 1 # Cu\n2 1 #Zr\n"), copper);
+  EXPECT_EQ(names("Masses\n", "Atom Type Labels\n\n1 Cu\n2 Zr\n\nMasses\n"), copper);
+  EXPECT_EQ(names("Masses\n", "Masses  # g/mol\n"), std::vector<std::string>());
+  std::string text = valid_data;
+  text.replace(text.find("Masses\n"), 7, "Atom Type Labels\n\n1 Cu\n2 Zr\n\nMasses\n");
+  text.replace(text.find("7 2 3.0"), 7, "7 Zr 3.0");
+  write_file(folder / "a.data", text);
+  EXPECT_EQ(read_lammps_data(folder / "a.data").labels.type, (std::vector{1, 2}));
+}
+
+TEST(LammpsData, ReadsBondedSpheres) {
+  const TemporaryFolder folder;
+  std::string text = valid_data;
+  text.replace(text.find("Atoms # sphere"), 14, "Atoms # bpm/sphere");
+  text.replace(text.find("7 2 3.0"), 7, "7 5 2 3.0");
+  text.replace(text.find("3 1 1.0"), 7, "3 5 1 1.0");
+  write_file(folder / "a.data", text);
+  write_file(folder / "b.data", valid_data);
+  const Packing bonded = read_lammps_data(folder / "a.data"), p = read_lammps_data(folder / "b.data");
+  expect_same_packing(bonded, p);
+  expect_same_unwrapped(bonded, p);
+}
+
+/// The same packing, its cell and all vectors turned about z by 90 degrees: x is -y, y is x.
+TEST(LammpsData, TurnsAGeneralCell) {
+  const TemporaryFolder folder;
+  write_file(folder / "upright.data",
+             "t\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 5 ylo yhi\n0 6 zlo zhi\n1 0.5 -0.5 xy xz yz\n\n"
+             "Atoms\n\n1 1 1 1 2 1 3\n\nVelocities\n\n1 1 2 3 4 5 6\n");
+  write_file(folder / "general.data",
+             "t\n\n1 atoms\n1 atom types\n0 4 0 avec\n-5 1 0 bvec\n0.5 0.5 6 cvec\n10 20 30 abc origin\n\n"
+             "Atoms\n\n1 1 1 1 9 22 33\n\nVelocities\n\n1 -2 1 3 -5 4 6\n");
+  const Packing a = read_lammps_data(folder / "upright.data"), b = read_lammps_data(folder / "general.data");
+  EXPECT_TRUE(b.labels.turned);
+  EXPECT_LT(strain_between(a.cell.edges, b.cell.edges), 1e-15);
+  EXPECT_LT(distance(a, b, 0), 1e-14);
+  EXPECT_LT(norm(a.velocity[0] - b.velocity[0]), 1e-15);
+  EXPECT_LT(norm(a.spin[0] - b.spin[0]), 1e-15);
+  EXPECT_LT(norm(b.labels.origin - Vec3<double>{20, -10, 30}), 1e-14);
+}
+
+/// 0.5005 of an edge: LAMMPS says "Triclinic box skew is too large".
+TEST(LammpsData, WritesNoTiltThatLammpsRefuses) {
+  const TemporaryFolder folder;
+  Packing p = random_packing(1);
+  Triangle& h = p.cell.edges;
+  h.xy = 0.5005 * h.xx, h.xz = -0.53 * h.xx, h.yz = 0.51 * h.yy;
+  write_lammps_data(p, folder / "a.data");
+  const Packing q = read_lammps_data(folder / "a.data");
+  EXPECT_LE(std::abs(q.cell.edges.xy), 0.5 * q.cell.edges.xx);
+  EXPECT_LE(std::abs(q.cell.edges.xz), 0.5 * q.cell.edges.xx);
+  EXPECT_LE(std::abs(q.cell.edges.yz), 0.5 * q.cell.edges.yy);
+  expect_same_unwrapped(p, q, 1e-11);
+  EXPECT_NEAR(q.cell.volume(), p.cell.volume(), 1e-12 * p.cell.volume());
 }
 
 TEST(LammpsData, RefusesAnIdThatOccursTwice) {

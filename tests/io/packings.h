@@ -89,7 +89,7 @@ inline Packing random_packing(unsigned seed, std::size_t count = 40) {
   p.time = real(0, 1e6);
   Triangle& h = p.cell.edges;
   h.xx = real(3, 30), h.yy = real(3, 30), h.zz = real(3, 30);
-  h.xy = real(-0.6, 0.6) * h.xx, h.xz = real(-0.6, 0.6) * h.xx, h.yz = real(-0.6, 0.6) * h.yy;
+  h.xy = real(-0.5, 0.5) * h.xx, h.xz = real(-0.5, 0.5) * h.xx, h.yz = real(-0.5, 0.5) * h.yy;
   p.cell.rate = {real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1)};
   p.resize(count);
   const double large_radius = real(0.6, 5);

@@ -40,7 +40,7 @@ TEST(ReadLine, TakesMissingMemoryForNoEnd) {
 
 TEST(TextReader, GoesThroughLinesAndWords) {
   const TemporaryFolder folder;
-  write_file(folder / "a", "\xEF\xBB\xBFone two\r\n\n\t three  four # five\nlast");
+  write_file(folder / "a", "\xEF\xBB\xBFone two\r\n\n\t three  four # five\nlast\n  ");
   TextReader reader(folder / "a");
   using Words = std::vector<std::string_view>;
   ASSERT_TRUE(reader.next_line());
@@ -53,7 +53,18 @@ TEST(TextReader, GoesThroughLinesAndWords) {
   ASSERT_TRUE(reader.next_line());
   EXPECT_EQ(reader.line(), "last");
   EXPECT_EQ(reader.line_number(), 4);
+  ASSERT_TRUE(reader.next_line()) << "blanks at the end are harmless";
   EXPECT_FALSE(reader.next_line());
+}
+
+/// 1.25 that lost its last digit is a number, too.
+TEST(TextReader, RefusesALineWithoutAnEnd) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "1 2\n1.2");
+  TextReader reader(folder / "a");
+  ASSERT_TRUE(reader.next_line());
+  EXPECT_NE(input_error([&] { reader.next_line(); }).find("a:2: the file ends within this line"),
+            std::string::npos);
 }
 
 TEST(TextReader, RefusesWhatIsNoNumber) {

@@ -77,6 +77,23 @@ TEST(VtpPacking, TheCellHasTwelveEdges) {
               1e-12);
 }
 
+/// ParaView hands points on in any order, and a file of others may have any ids.
+TEST(VtpPacking, SortsByIdsAndKeepsThem) {
+  const TemporaryFolder folder;
+  Packing p = random_packing(2, 3);
+  p.labels.id = {7, 3, 12};
+  write_vtp(p, folder / "a.vtp");
+  const Packing q = read_vtp(folder / "a.vtp");
+  EXPECT_EQ(q.labels.id, (std::vector<std::int64_t>{3, 7, 12}));
+  EXPECT_EQ(q.mass, (std::vector{p.mass[1], p.mass[0], p.mass[2]}));
+  EXPECT_LT(norm(q.unwrapped(0) - p.unwrapped(1)), 1e-12);
+  EXPECT_EQ(q.species[2], p.species[2]);
+  p.labels.id = {7, 7, 12};
+  write_vtp(p, folder / "a.vtp");
+  EXPECT_NE(input_error([&] { read_vtp(folder / "a.vtp"); }).find("the id 7 stands twice"),
+            std::string::npos);
+}
+
 TEST(VtpPacking, RefusesWhatIsNoPacking) {
   const TemporaryFolder folder;
   const Packing p = random_packing(4);

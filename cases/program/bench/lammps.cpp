@@ -124,7 +124,7 @@ LammpsTiming Lammps::run(const LammpsSetting& setting, std::int64_t steps) const
 
 Packing Lammps::forces() const {
   call({}, 0, 1, Dump::forces);
-  return read_last_lammps_frame(folder_ / "forces.dump");
+  return read_lammps_frame(folder_ / "forces.dump");
 }
 
 }  // namespace furnas

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string source;
+  std::optional<std::int64_t> frame;
   std::string out;
   std::optional<double> friction;
   std::optional<int> backbone;
@@ -40,7 +41,7 @@ AnalysisOptions analysis_options(const Options& options, const PackingSource& so
 }
 
 AnalysisRecord analyze_source(const Options& options) {
-  PackingSource source = packing_source(options.source);
+  PackingSource source = packing_source(options.source, options.frame);
   validate(source.packing);
   AnalysisRecord record;
   record.source = options.source;
@@ -164,7 +165,7 @@ Command analyze_command() {
   command.example = "furnas analyze runs/first_packing --out analysis";
   command.setup = [options](CommandLine& app) {
     AnalysisOptions& analysis = options->analysis;
-    add_packing_source(app, options->source);
+    add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out, "folder for the files; default: that of the packing");
     app.add("--friction", options->friction,
             "mu that tangential forces are measured against; default: the run's")

@@ -9,6 +9,7 @@
 #include "cases/program/packing_source.h"
 #include "cases/program/run/progress.h"
 #include "engine/base/require.h"
+#include "engine/state/validate.h"
 #include "io/case_protocol.h"
 #include "io/certificate_file.h"
 
@@ -17,7 +18,9 @@ namespace {
 
 struct Options {
   std::string source;
+  std::optional<std::int64_t> frame;
   std::string out;
+  std::optional<double> pressure, friction;  ///< of a packing that no run has made
   std::optional<double> force_imbalance;
   std::optional<double> stress_error;
   std::optional<double> cone_excess;
@@ -58,11 +61,29 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   return terms;
 }
 
-/// The packing of a run; only a run tells what the packing should be.
-PackingSource run_source(const std::string& name) {
-  PackingSource source = packing_source(name);
-  if (!source.of_case)
-    throw InputError(name + ": no case in it; allowed: the folder of a run, or one of its checkpoints");
+/// A packing and what it should be: its run tells that, or the options. In a file without contacts its
+/// overlaps are the contacts, without histories.
+PackingSource told_source(const Options& options) {
+  PackingSource source = packing_source(options.source, options.frame);
+  if (source.of_case) {
+    if (options.pressure || options.friction)
+      throw InputError(
+          options.source +
+          ": its case tells pressure and friction; allowed: --pressure and --friction for a packing "
+          "in a file without a case");
+    return source;
+  }
+  if (!options.pressure)
+    throw InputError(
+        options.source +
+        ": no case in it; allowed: the folder of a run, one of its checkpoints, or a packing with "
+        "--pressure and, unless it is 0, --friction");
+  validate(source.packing);
+  Case c;
+  c.compaction.pressure = {*options.pressure};
+  c.contact.friction = options.friction.value_or(0);
+  source.of_case = c;
+  if (source.packing.contacts.empty()) source.packing = with_overlaps_as_contacts(source.packing);
   return source;
 }
 
@@ -75,7 +96,7 @@ Command certify_command() {
   command.does = "say whether a finished packing is jammed, from positions and histories alone";
   command.example = "furnas certify runs/first_packing";
   command.setup = [options](CommandLine& app) {
-    app.add("DIR or FILE", options->source, "folder of a run, or a checkpoint").required();
+    add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out,
             "folder for certificate.json and certificate.txt; default: that of the packing");
     app.add("--force-imbalance", options->force_imbalance,
@@ -86,11 +107,13 @@ Command certify_command() {
         .above_zero();
     app.add("--cone-excess", options->cone_excess, "largest (|F_t| - mu F_n)/(mu mean F_n); default: 0.01")
         .above_zero();
+    app.add("--pressure", options->pressure, "p_a of a packing in a file [k_n/d_s]").above_zero();
+    app.add("--friction", options->friction, "mu of a packing in a file; default: 0").between(0.0, 1e6);
     app.add("--eigenvalues", options->eigenvalues, "eigenvalues to show").between(1, 100).showing_default();
   };
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);
-    const PackingSource source = run_source(options->source);
+    const PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
     announce(source.packing.size(), console);

@@ -18,6 +18,7 @@ namespace {
 
 struct Options {
   std::string source;
+  std::optional<std::int64_t> frame;
   std::string format;
   std::string out;
   std::optional<double> edge;
@@ -75,6 +76,12 @@ const SolidFormat* solid_of(const std::string& name) {
   return nullptr;
 }
 
+void export_packing(const std::string& format, const Packing& packing, const std::string& out,
+                    Console console) {
+  write_packing(packing, format, out);
+  remark_on_losses(packing, format, console.err);
+}
+
 void require_solid_options_fit(const Options& options) {
   if (options.edge && !solid_of(options.format))
     throw InputError(fmt::format("--edge and {} exclude each other; allowed: stl, voxels", options.format));
@@ -91,7 +98,7 @@ Command export_command() {
   command.does = "write a packing in another format";
   command.example = "furnas export runs/first_packing stl --edge 0.1 --box";
   command.setup = [options](CommandLine& app) {
-    add_packing_source(app, options->source);
+    add_packing_source(app, options->source, options->frame);
     app.add("FORMAT", options->format,
             names_of_written_formats() +
                 "; stl: the union of the spheres as triangles; voxels: a MetaImage, 1 in a sphere and 0 "
@@ -113,12 +120,12 @@ Command export_command() {
     const std::string extension =
         solid ? std::string(solid->extension) : std::string(extension_of(options->format));
     const std::string out = options->out.empty() ? "packing" + extension : options->out;
-    const Packing packing = packing_from(options->source);
+    const Packing packing = packing_source(options->source, options->frame).packing;
     make_folder_of(out);
     if (solid)
       solid->write(*options, packing, out, console);
     else
-      write_packing(packing, options->format, out);
+      export_packing(options->format, packing, out, console);
     console.out << out << '\n';
     return ExitCode::done;
   };

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string source;
+  std::optional<std::int64_t> frame;
   std::string out = "packing.png";
   int size = 2000;
   std::string style = "fig1a", colour = "species";
@@ -77,10 +78,11 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   return picture;
 }
 
-/// The packing, with overlaps as contacts where the colours speak of contacts and the file has none.
+/// The packing, with overlaps as contacts where the picture is of contacts and the file has none.
 PackingSource drawn_source(const std::string& name, const Options& options) {
-  PackingSource source = packing_source(name);
-  if (source.packing.contacts.empty() && options.colour != "species")
+  PackingSource source = packing_source(name, options.frame);
+  const bool asks_for_contacts = options.colour != "species" || options.style == "chains";
+  if (source.packing.contacts.empty() && asks_for_contacts)
     source.packing = with_overlaps_as_contacts(source.packing);
   return source;
 }
@@ -159,7 +161,7 @@ Command render_command() {
   command.setup = [options](CommandLine& app) {
     PictureOptions& picture = options->picture;
     picture.key = true;
-    add_packing_source(app, options->source);
+    add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out, "PNG or JPEG file, by its extension; its folder is made")
         .showing_default();
     app.add("--style", options->style,

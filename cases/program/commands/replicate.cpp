@@ -11,6 +11,7 @@ namespace furnas {
 Command replicate_command() {
   struct Options {
     std::string source;
+    std::optional<std::int64_t> frame;
     std::string out;
     std::string times;
     bool start = false;
@@ -21,7 +22,7 @@ Command replicate_command() {
   command.does = "repeat a packing along the edges of its cell";
   command.example = "furnas replicate runs/first_packing large.checkpoint --times 2x2x2";
   command.setup = [options](CommandLine& app) {
-    add_packing_source(app, options->source);
+    add_packing_source(app, options->source, options->frame);
     app.add("OUT", options->out,
             "file to write, format by its extension: checkpoint, which keeps contacts and histories, " +
                 names_of_written_formats())
@@ -34,13 +35,15 @@ Command replicate_command() {
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);
     const Times times = parse_times(options->times);
-    PackingSource source = packing_source(options->source);
+    PackingSource source = packing_source(options->source, options->frame);
     if (options->start) {
       source.packing.contacts.clear();
       source.packing.order.clear();
     }
     make_folder_of(options->out);
     write_replicate(source, times, options->out);
+    if (std::filesystem::path(options->out).extension() != ".checkpoint")
+      remark_on_losses(source.packing, format_by_extension(options->out), console.err);
     console.out << options->out << '\n';
     return ExitCode::done;
   };

@@ -27,7 +27,6 @@ struct Options {
 /// Placing 2.6e7 spheres takes a minute, before there is any progress to show.
 void announce_start(const Case& c, Console console) {
   constexpr double many = 1e6;
-  if (!c.mixture.diameters.empty()) console.err << "units: " << unit_of_list(c) << '\n' << std::flush;
   if (!c.start.file.empty() || !c.mixture.diameters.empty()) return;
   const Mixture mixture = mixture_of(c);
   const double spheres = static_cast<double>(mixture.large) + small_count(mixture);
@@ -63,6 +62,7 @@ Command run_command() {
       console.err << "furnas: refused: " << preflight.refusal << '\n';
       return ExitCode::refused;
     }
+    if (!preflight.remark.empty()) console.err << "furnas: " << preflight.remark << '\n';
     announce_start(c, console);
     RunOrder order = order_to_run(c);
     order.walltime = walltime;

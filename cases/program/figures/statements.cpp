@@ -28,14 +28,14 @@ Agreement positive(double value, double reach) {
   return value + reach <= 0 ? Agreement::not_reproduced : Agreement::not_reachable;
 }
 
-/// A number of the paper: ours may differ by our interval and by what finite samples shift it. An interval
-/// that holds nearly everything agrees with nothing.
+/// Compares a number of the paper with ours: the two may differ by our interval and by the shift of finite
+/// samples. Where our interval is wider than twice that shift, agreement proves nothing: not reachable.
 Agreement near(double ours, double reach, double paper, double tolerance) {
   if (std::abs(ours - paper) > tolerance + reach) return Agreement::not_reproduced;
   return reach > 2 * tolerance ? Agreement::not_reachable : Agreement::reproduced;
 }
 
-/// One part that is not so denies the whole, one that cannot be told leaves it open.
+/// A part that is not reproduced decides for the whole; so does, after it, a part that is not reachable.
 Agreement all_of(const std::vector<Agreement>& parts) {
   for (const Agreement worst : {Agreement::not_reproduced, Agreement::not_reachable})
     if (std::find(parts.begin(), parts.end(), worst) != parts.end()) return worst;
@@ -149,7 +149,7 @@ Statement small_ratio(const Study& study) {
   return s;
 }
 
-/// Those of a curve; its maximum is fitted to them.
+/// Samples of a curve that have ended; the maximum is fitted to them.
 std::size_t ended_samples(const Curve& curve) {
   std::size_t n = 0;
   for (const Point& p : curve.points) n += p.jammed + p.settled;

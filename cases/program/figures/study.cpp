@@ -87,7 +87,7 @@ std::optional<FurnasInterval> Study::model(double friction) const {
   if (point == nullptr) return {};
   const MeanInterval& phi = *point->mean_phi_J;
   if (phi.samples < 2) return FurnasInterval(phi.mean, 0);
-  // Two samples that differ have an interval that reaches beyond what a packing can be.
+  // The interval of two samples that differ can reach below 0 or above 1.
   constexpr double emptiest = 1e-3, fullest = 1 - emptiest;
   return FurnasInterval(Interval{phi.mean, std::max(phi.low(), emptiest), std::min(phi.high(), fullest)});
 }

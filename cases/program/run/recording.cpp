@@ -156,7 +156,7 @@ Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder)
     }
   }
   std::sort(files.rbegin(), files.rend());
-  // One after the other: there may be no room for two.
+  // Packings are read one after the other: there may be no room for two.
   for (const auto& [step, name] : files) {
     try {
       newest.checkpoint = read_checkpoint(folder / name);

@@ -15,7 +15,7 @@ struct Requests {
 };
 
 /// Lets the signals set `requests` while it lives; a second signal to stop ends the program at once. A signal
-/// that was ignored before, as under nohup, stays ignored. One guard at a time.
+/// that was ignored before, as under nohup, stays ignored. Only one guard may live at a time.
 class SignalGuard {
  public:
   explicit SignalGuard(Requests& requests);

@@ -49,9 +49,12 @@ double particles_of(const Case& c) {
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// A value as it may stand in the name of a folder and in a table.
+/// A value as it may stand in the name of a folder and in a table: of a start, its name and that of its
+/// folder.
 std::string value_in(const Case& c, const std::string& key) {
-  std::string value = value_text(*find_key(key), c);
+  const fs::path start = c.start.file;
+  std::string value = key == start_key ? (start.parent_path().filename() / start.filename()).string()
+                                       : value_text(*find_key(key), c);
   std::erase_if(value, [](char letter) { return letter == '"' || letter == '\'' || letter == ' '; });
   std::replace(value.begin(), value.end(), '/', '_');
   return without_commas(value);
@@ -103,7 +106,12 @@ void validate_point(const Case& c, const SweepGrid& grid) {
 
 std::vector<std::string> keys_of(const SweepFile& sweep) {
   std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
-  if (!sweep.base.start.file.empty()) keys = {"contact.friction"};
+  const auto reads = [](const SweepGrid& grid) {
+    return std::any_of(grid.axes.begin(), grid.axes.end(),
+                       [](const SweepAxis& axis) { return axis.key == start_key; });
+  };
+  if (!sweep.base.start.file.empty() || std::any_of(sweep.grids.begin(), sweep.grids.end(), reads))
+    keys = {"contact.friction"};
   std::map<std::string, std::set<std::string>> values;
   for (const SweepGrid& grid : sweep.grids)
     for (const SweepAxis& axis : grid.axes) values[axis.key].insert(axis.values.begin(), axis.values.end());

@@ -51,7 +51,7 @@ std::vector<Sample> samples_of(const SweepFile& sweep, const std::vector<std::st
 Sample moved_to(const Sample& sample, double small_fraction, const std::vector<std::string>& keys,
                 const std::filesystem::path& folder);
 
-/// Those that stand in the folder beyond `planned`, as refining adds them: a planned case but for its
+/// The samples in the folder beyond `planned`, as refining adds them: a planned case but for its
 /// small_fraction.
 std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,
                                   const std::filesystem::path& folder);

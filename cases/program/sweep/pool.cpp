@@ -96,8 +96,8 @@ class Pool {
 
   bool empty() const { return waiting_.empty() && running_.empty(); }
 
-  /// Starts what there are threads for. One that needs more waits, and the others behind it: it would wait
-  /// for ever if they went first.
+  /// Starts the samples that there are threads for. A sample that needs more waits, and all behind it wait,
+  /// too: if they went first, the large sample would wait for ever.
   void start_some() {
     int free = jobs_;
     double memory = memory_;
@@ -105,7 +105,7 @@ class Pool {
     for (auto next = waiting_.begin(); next != waiting_.end();) {
       const Sample& sample = **next;
       const int threads = threads_of(sample);
-      // One that is too large for the machine is refused when it runs alone, by itself.
+      // A sample that is too large for the machine is refused when it runs alone, by itself.
       if (threads > free || (sample.memory() > memory && !running_.empty())) return;
       if (is_in_use(sample.folder)) {
         ++next;
@@ -125,7 +125,7 @@ class Pool {
         ++r;
         continue;
       }
-      // One that was just starting has nothing to save, and has not failed.
+      // A sample that was just starting has nothing to save, and has not failed.
       const bool asked = stopping_ && *code == -SIGTERM;
       if (*code < 0 && !asked)
         std::ofstream(r->sample->log(), std::ios::app)

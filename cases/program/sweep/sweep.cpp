@@ -60,6 +60,16 @@ Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::stri
   return table;
 }
 
+/// What the sweep tells the shell: the worst that became of a sample.
+ExitCode code_of(const SampleTable& table) {
+  const auto any = [&](auto is) { return std::any_of(table.rows.begin(), table.rows.end(), is); };
+  const auto is_good = [](const SampleRow& row) { return row.jammed() || row.settled(); };
+  const auto is_spent = [](const SampleRow& row) { return row.verdict == to_string(Verdict::budget); };
+  if (any([&](const SampleRow& row) { return !is_good(row) && !is_spent(row); }))
+    return ExitCode::samples_failed;
+  return any(is_spent) ? ExitCode::budget_spent : ExitCode::done;
+}
+
 /// The standing of the whole on one line: renewed on a terminal, a new one for each sample elsewhere.
 class Line {
  public:
@@ -119,7 +129,7 @@ class Sweep {
       whole = run(requests);
     }
     summarize();
-    if (whole) return ExitCode::done;
+    if (whole) return code_of(table_of(samples_, keys_));
     console_.err << "stopped by a signal; all samples are saved, and the same command goes on\n";
     return ExitCode::interrupted;
   }

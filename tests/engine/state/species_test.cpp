@@ -5,33 +5,35 @@
 namespace furnas {
 namespace {
 
-using enum Species;
-using List = std::vector<Species>;
+using SpeciesList = std::vector<Species>;
+
+/// "lss" for large, small, small.
+SpeciesList spelled(const std::string& letters) {
+  SpeciesList species;
+  for (const char letter : letters) species.push_back(letter == 'l' ? Species::large : Species::small);
+  return species;
+}
 
 TEST(SpeciesBySize, TheLargerOfTwoSizesIsLarge) {
-  EXPECT_EQ(species_by_size({0.5, 1.5, 1.5 - 1e-9, 0.5}), (List{small, large, large, small}));
-  EXPECT_EQ(species_by_size({0.5, 0.5}), (List{large, large}));
+  EXPECT_EQ(species_by_size({0.5, 1.5, 1.5 - 1e-9, 0.5}), spelled("slls"));
+  EXPECT_EQ(species_by_size({0.5, 0.5}), spelled("ll"));
   EXPECT_TRUE(species_by_size({}).empty());
 }
 
-TEST(SpeciesBySize, MoreSizesAreOneSpecies) {
-  EXPECT_EQ(species_by_size({0.5, 1.5, 0.7}), (List{large, large, large}));
-}
+TEST(SpeciesBySize, MoreSizesAreOneSpecies) { EXPECT_EQ(species_by_size({0.5, 1.5, 0.7}), spelled("lll")); }
 
 TEST(SpeciesByType, TwoTypesAreTheTwoSpecies) {
-  EXPECT_EQ(species_by_type({0.5, 1.5}, {1, 2}), (List{small, large})) << "whichever type is larger";
-  EXPECT_EQ(species_by_type({0.5, 1.5}, {7, 3}), (List{small, large}));
-  EXPECT_EQ(species_by_type({0.5, 0.5, 0.5}, {2, 1, 2}), (List{small, large, small}))
-      << "of equal ones the lower";
-  EXPECT_EQ(species_by_type({1, 0.6, 0.5}, {4, 9, 9}), (List{large, small, small})) << "by their mean sizes";
+  EXPECT_EQ(species_by_type({0.5, 1.5}, {1, 2}), spelled("sl")) << "whichever type is larger";
+  EXPECT_EQ(species_by_type({0.5, 1.5}, {7, 3}), spelled("sl"));
+  EXPECT_EQ(species_by_type({0.5, 0.5, 0.5}, {2, 1, 2}), spelled("sls")) << "of equal ones the lower";
+  EXPECT_EQ(species_by_type({1, 0.6, 0.5}, {4, 9, 9}), spelled("lss")) << "by their mean sizes";
 }
 
 TEST(SpeciesByType, SizesDecideWhereTypesDoNotTellThemApart) {
-  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 1, 1}), (List{small, large, small})) << "one type";
-  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 2, 3}), (List{small, large, small})) << "three types";
-  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 1, 2}), (List{small, large, small}))
-      << "a type of both sizes";
-  EXPECT_EQ(species_by_type({0.5, 1.5}, {}), (List{small, large})) << "no types";
+  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 1, 1}), spelled("sls")) << "one type";
+  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 2, 3}), spelled("sls")) << "three types";
+  EXPECT_EQ(species_by_type({0.5, 1.5, 0.5}, {1, 1, 2}), spelled("sls")) << "a type of both sizes";
+  EXPECT_EQ(species_by_type({0.5, 1.5}, {}), spelled("sl")) << "no types";
 }
 
 TEST(SizesOf, CountsThoseThatDiffer) {
@@ -45,18 +47,18 @@ TEST(SizesOf, CountsThoseThatDiffer) {
 }
 
 TEST(IsPolydisperse, WhereASpeciesHasSeveralSizes) {
-  const auto packing = [](const std::vector<double>& radius, const List& species) {
+  const auto packing = [](const std::vector<double>& radius, const SpeciesList& species) {
     Packing p;
     p.resize(radius.size());
     p.radius = radius, p.species = species;
     return p;
   };
-  EXPECT_FALSE(is_polydisperse(packing({0.5, 1.5}, {small, large})));
-  EXPECT_FALSE(is_polydisperse(packing({0.5, 0.5}, {small, large}))) << "one size in two species";
-  EXPECT_TRUE(is_polydisperse(packing({0.5, 1.5, 1.6}, {small, large, large})));
-  EXPECT_FALSE(is_one_polydisperse_species(packing({0.5, 1.5, 1.6}, {small, large, large})));
-  EXPECT_TRUE(is_one_polydisperse_species(packing({0.5, 1.5}, {large, large})));
-  EXPECT_FALSE(is_one_polydisperse_species(packing({1.5, 1.5}, {large, large})));
+  EXPECT_FALSE(is_polydisperse(packing({0.5, 1.5}, spelled("sl"))));
+  EXPECT_FALSE(is_polydisperse(packing({0.5, 0.5}, spelled("sl")))) << "one size in two species";
+  EXPECT_TRUE(is_polydisperse(packing({0.5, 1.5, 1.6}, spelled("sll"))));
+  EXPECT_FALSE(is_one_polydisperse_species(packing({0.5, 1.5, 1.6}, spelled("sll"))));
+  EXPECT_TRUE(is_one_polydisperse_species(packing({0.5, 1.5}, spelled("ll"))));
+  EXPECT_FALSE(is_one_polydisperse_species(packing({1.5, 1.5}, spelled("ll"))));
 }
 
 }  // namespace

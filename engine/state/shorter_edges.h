@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// Whether a tilt of the cell is more than this share of the edge along which it goes.
+bool is_tilted(const Triangle& edges, double farthest);
+
+/// Replaces tilted edges of the cell by the shortest equivalent ones if a tilt exceeds this share of its
+/// edge, 1/2 or more. The lattice, and so every contact, force and history, stays the same: only the names of
+/// images change, exactly, in integers. Returns whether anything changed.
+bool shorten_edges(Packing& packing, double farthest);
+
+}  // namespace furnas
