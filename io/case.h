@@ -17,7 +17,14 @@ struct Case {
     std::int64_t large = 1000;     ///< N_l, number of large spheres
     double start_fraction = 0.05;  ///< packing fraction of the random start
     std::int64_t seed = 1;         ///< of the random start
+    std::string diameters{};       ///< path of a list of diameters, instead of the first three; empty: none
     friend bool operator==(const Mixture&, const Mixture&) = default;
+
+    /// Whether size_ratio, small_fraction and large are as if nobody had set them.
+    bool has_default_sizes() const {
+      const Mixture none;
+      return size_ratio == none.size_ratio && small_fraction == none.small_fraction && large == none.large;
+    }
   };
 
   /// A start that is read instead of drawn.
@@ -82,7 +89,8 @@ struct Case {
   /// What is written, and how often.
   struct Output {
     std::int64_t history_every = 1000;  ///< steps between two rows of history.csv
-    std::int64_t snapshot_every = 0;    ///< steps between two frames; 0: none
+    std::int64_t snapshot_every = 0;    ///< steps between two frames; 0: none by steps
+    double snapshot_phi = 0;            ///< a frame at each multiple of this phi; 0: none by phi
     double checkpoint_minutes = 10;     ///< minutes of wall time between two checkpoints
     std::string picture = "fig1a";      ///< style of the final picture, or "none"
     int picture_size = 2000;            ///< edge of the square picture [pixels]

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
 #include "engine/monitor/stability.h"
 #include "engine/state/packing.h"
 #include "io/case_protocol.h"
@@ -42,6 +43,27 @@ bool holds_allowed_value(const Key& key, const Case& c) {
   return std::visit(holds_field, key.field(copy));
 }
 
+/// A cell that its own smallest spheres hardly fit into once it is dense: what would be left is a lattice of
+/// one or two spheres and their images, which is no packing, and which often gains energy instead of rest.
+std::optional<Conflict> conflict_of_small_cell(const Case& c) {
+  if (c.compaction.cell == "fixed") return {};
+  constexpr double dense = 0.64, least_width = 2;  // of the smallest spheres
+  const Mixture mixture = mixture_of(c);
+  const double largest = large_diameter(mixture);
+  const double volume = sphere_volume(largest / 2) / (1 - mixture.small_fraction);  // of a large one's share
+  const double width = std::cbrt(static_cast<double>(mixture.large) * volume / dense);
+  if (width >= least_width) return {};
+  const double least = std::ceil(std::pow(least_width, 3) * dense / volume);
+  const double thick = std::ceil(std::pow(3 * largest, 3) * dense / volume);
+  return Conflict{
+      "mixture.large",
+      fmt::format(
+          "mixture.large = {} makes a cell {:.1f} diameters of the smallest spheres wide when dense, too "
+          "small to jam; allowed: at least {:.0f}, and from {:.0f} on the cell is 3 largest diameters "
+          "thick",
+          c.mixture.large, width, least, thick)};
+}
+
 std::optional<Conflict> conflict_of_start(const Case& c) {
   const Case::Mixture& mixture = c.mixture;
   if (!c.start.file.empty()) {
@@ -50,6 +72,14 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
                     fmt::format("start.file = \"{}\" and [mixture] exclude each other: a start is "
                                 "read or drawn; leave one of them out",
                                 c.start.file)};
+  }
+  if (!mixture.diameters.empty()) {
+    if (mixture.has_default_sizes()) return {};
+    return Conflict{
+        "mixture.diameters",
+        fmt::format("mixture.diameters = \"{}\" and size_ratio, small_fraction, large exclude each "
+                    "other: sizes are listed or mixed; leave one of them out",
+                    mixture.diameters)};
   }
   const double small = small_count(mixture_of(c));
   const double all = small + static_cast<double>(mixture.large);
@@ -66,7 +96,7 @@ std::optional<Conflict> conflict_of_start(const Case& c) {
         fmt::format("mixture.small_fraction = {} makes less than one small sphere with large = {}; "
                     "allowed: 0, or enough for one",
                     mixture.small_fraction, mixture.large)};
-  return {};
+  return conflict_of_small_cell(c);
 }
 
 std::optional<Conflict> conflict_of_phi_error(const Case& c) {
@@ -87,10 +117,8 @@ std::optional<Conflict> conflict_of_phi_error(const Case& c) {
 
 std::optional<Conflict> conflict_of_time_step(const Case& c) {
   const Protocol protocol = protocol_of(c);
-  const bool has_small = !c.start.file.empty() || c.mixture.small_fraction > 0;
-  const double smallest = has_small ? 1 : c.mixture.size_ratio;
-  const double dt = time_step_of(protocol, smallest);
-  const double limit = largest_stable_step(law_of(protocol), equal_pair(smallest));
+  const double dt = time_step_of(protocol);
+  const double limit = largest_stable_step(law_of(protocol), equal_pair(1));
   if (dt < limit) return {};
   const bool absolute = c.compaction.time_step_absolute.has_value();
   return Conflict{

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 #include "engine/base/require.h"
@@ -221,21 +222,23 @@ Case case_in(const toml::table& root, const std::filesystem::path& file,
   const std::string name = file.string();
   KeyPlaces places;
   Case c = case_of(root, name, overrides, places);
-  if (!c.start.file.empty()) c.start.file = (file.parent_path() / c.start.file).string();
+  const std::array<std::pair<const char*, std::string*>, 2> files{
+      {{"start.file", &c.start.file}, {"mixture.diameters", &c.mixture.diameters}}};
+  for (const auto& [key, value] : files)
+    if (!value->empty()) *value = (file.parent_path() / *value).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
-  if (!c.start.file.empty())
-    c.start.file =
-        start_path({}, c.start.file, places.at("start.file"));  // one of an override lies where we are
+  for (const auto& [key, value] : files)  // one of an override lies where we are
+    if (!value->empty()) *value = file_path({}, key, *value, places.at(key));
   return c;
 }
 
-std::string start_path(const std::filesystem::path& case_file, const std::string& start,
-                       const std::string& place) {
-  const std::filesystem::path path = case_file.parent_path() / start;
+std::string file_path(const std::filesystem::path& case_file, std::string_view key, const std::string& value,
+                      const std::string& place) {
+  const std::filesystem::path path = case_file.parent_path() / value;
   if (!std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: start.file = \"{}\" is not a file; allowed: the path of a packing",
-                                 place, path.string()));
+    throw InputError(fmt::format("{}: {} = \"{}\" is not a file; allowed: the path of {}", place, key,
+                                 path.string(), key == "start.file" ? "a packing" : "a list of diameters"));
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
@@ -261,6 +264,16 @@ void apply_override(Case& c, std::string_view assignment) {
   give_up_rival(*key, c);
 }
 
+namespace {
+
+/// A list of diameters stands for the sizes and numbers of a mixture.
+bool is_replaced_by_a_list(const Key& key, const Case& c) {
+  return !c.mixture.diameters.empty() && key.table == "mixture" &&
+         (key.name == "size_ratio" || key.name == "small_fraction" || key.name == "large");
+}
+
+}  // namespace
+
 std::string resolved_toml(const Case& c) {
   const std::string_view other_start = c.start.file.empty() ? "start" : "mixture";
   std::string text = "# Every key of the case, with its unit and what it means.\n";
@@ -270,7 +283,9 @@ std::string resolved_toml(const Case& c) {
     if (key.table != table) text += fmt::format("\n[{}]\n", key.table);
     table = key.table;
     const std::string unit = key.unit.empty() ? "" : fmt::format(" [{}]", key.unit);
-    if (counts(key, c))
+    if (is_replaced_by_a_list(key, c))
+      text += fmt::format("# {} is not used: diameters is given\n", key.name);
+    else if (counts(key, c))
       text +=
           fmt::format("{:<28} #{} {}\n", fmt::format("{} = {}", key.name, value_text(key, c)), unit, key.doc);
     else

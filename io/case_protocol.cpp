@@ -1,6 +1,14 @@
 #include "io/case_protocol.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
 #include "engine/base/require.h"
+#include "engine/base/sphere.h"
+#include "engine/start/gas.h"
+#include "io/diameters_file.h"
 #include "io/formats.h"
 
 namespace furnas {
@@ -60,9 +68,29 @@ Protocol protocol_of(const Case& c) {
           .skin = c.compute.skin};
 }
 
+namespace {
+
+/// Spheres as they are listed.
+Packing listed_start(const Case::Mixture& mixture) {
+  std::vector<double> radii = read_diameters(mixture.diameters).diameters;
+  double volume = 0;
+  for (double& r : radii) volume += sphere_volume(r *= 0.5);
+  constexpr double dense = 0.64, least_width = 2;  // as for a mixture: io/case_check.cpp
+  if (std::cbrt(volume / dense) < least_width)
+    throw InputError(
+        fmt::format("mixture.diameters = \"{}\": {} spheres make a cell {:.1f} diameters of the "
+                    "smallest wide when dense, too small to jam; allowed: at least 2; list more",
+                    mixture.diameters, radii.size(), std::cbrt(volume / dense)));
+  return dilute_gas(
+      radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});
+}
+
+}  // namespace
+
 Packing start_of(const Case& c) {
-  const bool drawn = c.start.file.empty();
-  Packing packing = drawn ? dilute_start(mixture_of(c)) : read_packing(c.start.file);
+  Packing packing = !c.start.file.empty()          ? read_packing(c.start.file)
+                    : !c.mixture.diameters.empty() ? listed_start(c.mixture)
+                                                   : dilute_start(mixture_of(c));
   packing.step = 0;  // the clock of a run begins with it
   packing.time = 0;
   packing.labels.origin = {};  // a run counts from the corner of its cell

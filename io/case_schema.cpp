@@ -43,7 +43,8 @@ std::vector<Key> whole_case() {
 std::vector<Key> mixture_and_start() {
   return {
       plain("mixture", "size_ratio", "", from_to(1, 100),
-            "diameter of the large spheres over that of the small ones, alpha; the small ones have d_s = 1",
+            "diameter of the large spheres over that of the small ones, alpha; the smallest that exist have "
+            "d_s = 1",
             [](Case& c) -> Field { return &c.mixture.size_ratio; }),
       plain("mixture", "small_fraction", "", from_below(0, 1),
             "share of the small spheres in the volume of all spheres, f_s; 0: all spheres are large",
@@ -51,6 +52,11 @@ std::vector<Key> mixture_and_start() {
       plain("mixture", "large", "", from_to(1, 1e7),
             "number of large spheres N_l; the small ones follow, N_s = N_l alpha^3 f_s/(1 - f_s)",
             [](Case& c) -> Field { return &c.mixture.large; }),
+      plain("mixture", "diameters", "", std::monostate{},
+            "file with a list of diameters, one a line, in any unit, instead of the three keys above: "
+            "spheres of "
+            "any sizes, of which the smallest becomes d_s",
+            [](Case& c) -> Field { return &c.mixture.diameters; }),
       plain("mixture", "start_fraction", "", above_to(0, 0.3),
             "packing fraction of the random start; beyond 0.3 random insertion finds no more room",
             [](Case& c) -> Field { return &c.mixture.start_fraction; }),
@@ -199,9 +205,15 @@ std::vector<Key> output() {
       plain("output", "history_every", "steps", from_to(1, many_steps),
             "interval between two rows of history.csv",
             [](Case& c) -> Field { return &c.output.history_every; }),
-      plain("output", "snapshot_every", "steps", from_to(0, many_steps),
-            "interval between two frames of frames.pvd; 0: no frames",
-            [](Case& c) -> Field { return &c.output.snapshot_every; }),
+      plain(
+          "output", "snapshot_every", "steps", from_to(0, many_steps),
+          "interval between two frames of frames.pvd, and so equal steps of time; the start is the first; 0: "
+          "none",
+          [](Case& c) -> Field { return &c.output.snapshot_every; }),
+      plain("output", "snapshot_phi", "", from_to(0, 1),
+            "a frame when phi first exceeds each multiple of this, as 0.01, so that a film shows the "
+            "compaction evenly; 0: none",
+            [](Case& c) -> Field { return &c.output.snapshot_phi; }),
       plain("output", "checkpoint_minutes", "minutes", above_to(0, 1e5),
             "wall time between two checkpoints; a stopped run resumes from the last one",
             [](Case& c) -> Field { return &c.output.checkpoint_minutes; }),

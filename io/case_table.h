@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "io/case.h"
 
@@ -20,9 +21,10 @@ toml::table read_table(const std::filesystem::path& file);
 Case case_in(const toml::table& root, const std::filesystem::path& file,
              std::span<const std::string> overrides);
 
-/// The absolute path of a start that a case file or its sweep names: a relative one lies beside the file.
-/// Throws InputError that begins with `place` if it is no file.
-std::string start_path(const std::filesystem::path& case_file, const std::string& start,
-                       const std::string& place);
+/// The absolute path of the file that a key of a case file or of its sweep names, start.file or
+/// mixture.diameters: a relative one lies beside the case file. Throws InputError that begins with `place` if
+/// it is no file.
+std::string file_path(const std::filesystem::path& case_file, std::string_view key, const std::string& value,
+                      const std::string& place);
 
 }  // namespace furnas

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
@@ -13,6 +14,34 @@ using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
 
 const char* word(Proves proves) {
   return proves == Proves::necessary ? "necessary only" : "sufficient to first order";
+}
+
+constexpr const char* rule = "every overlap counts";
+
+std::string failed_parts(const Certificate& c) {
+  std::string failed;
+  for (const Part& part : c.parts)
+    if (!part.passed()) failed += (failed.empty() ? "" : ", ") + part.name;
+  return failed;
+}
+
+/// What all parts together have proven, and what they have not.
+std::string conclusion(const Certificate& c) {
+  if (!c.passed())
+    return fmt::format(
+        "Not certified: {} failed, and a jammed packing passes every part; what passed proves nothing "
+        "without it.",
+        failed_parts(c));
+  const bool stable = std::any_of(c.parts.begin(), c.parts.end(),
+                                  [](const Part& part) { return part.proves == Proves::sufficient; });
+  if (stable)
+    return "Proven, to first order: forces balance at the applied pressure, and every small motion of "
+           "particles and cell costs energy. Not proven: what large motions, long times or a larger cell "
+           "would "
+           "do.";
+  return "Proven: the packing meets every condition that was asked and that no jammed packing can miss. Not "
+         "proven: that every small motion costs energy, because contacts slide or an eigenvalue is in doubt "
+         "(part \"stability\"); large motions, long times and larger cells were not asked.";
 }
 
 Json json_of(const Finding& f) {
@@ -44,11 +73,14 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
   Json eigenvalues = Json::array();
   for (const double x : c.eigenvalues) eigenvalues.push_back(x);
   return {{"of", of},
+          {"conclusion", conclusion(c)},
           {"passed", c.passed()},
           {"failed", failed},
           {"force_balance", to_string(c.balance)},
           {"particles", c.particles},
           {"backbone", c.backbone},
+          {"backbone_rule", rule},
+          {"backbone_of_live_contacts", c.live_backbone},
           {"contacts", c.contacts},
           {"contacts_not_in_the_list", c.unlisted},
           {"listed_contacts_that_are_open", c.open},
@@ -74,29 +106,25 @@ std::string line_of(const Finding& f) {
 }  // namespace
 
 std::string certificate_text(const Certificate& c, const CertificateTerms& terms, const std::string& of) {
-  std::string text = fmt::format("Certificate of {}\n\n", of);
-  text += fmt::format("{} particles, {} of them in the backbone with {} contacts; friction {:g}, p_a {:g}.\n",
-                      c.particles, c.backbone, c.contacts, terms.springs.friction(), terms.cell.pressure);
-  text += "Recomputed from positions, radii, cell and tangential histories alone";
-  text += fmt::format("; the run's list lacks {} contacts and has {} that are open.\n\n", c.unlisted, c.open);
+  std::string text = fmt::format("Certificate of {}\n\n{}\n\n", of, conclusion(c));
+  text += fmt::format(
+      "{} particles, {} of them in the backbone with {} contacts ({}); by the rule of a run (live contacts "
+      "only) {}.\n",
+      c.particles, c.backbone, c.contacts, rule, c.live_backbone);
+  text += fmt::format("Friction {:g}, p_a {:g}. ", terms.springs.friction(), terms.cell.pressure);
+  text += fmt::format(
+      "Recomputed from positions, radii, cell and tangential histories alone; the run's list lacks {} "
+      "contacts and has {} that are open.\n\n",
+      c.unlisted, c.open);
   for (const Part& part : c.parts) {
-    text += fmt::format("{}  {} ({})\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
-                        word(part.proves), part.asks);
+    text += fmt::format("{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
+                        part.proves == Proves::sufficient ? " (sufficient to first order)" : "", part.asks);
     for (const Finding& f : part.findings) text += line_of(f);
     if (!part.note.empty()) text += fmt::format("    {}\n", part.note);
     text += '\n';
   }
-  text +=
-      "A part that is necessary only must pass for a jammed packing, but a packing that is not jammed may "
-      "pass "
-      "it\ntoo. Stability, with force balance and stress, is sufficient to first order: against any small "
-      "motion, with\nfriction as it stands; sliding contacts, large motions and time are beyond it "
-      "(docs/theory/certificate.md).\n\n";
-  std::string failed;
-  for (const Part& part : c.parts)
-    if (!part.passed()) failed += (failed.empty() ? "" : ", ") + part.name;
   text += c.passed() ? fmt::format("jammed: every part passed, force balance {}\n", to_string(c.balance))
-                     : fmt::format("not certified: {} failed\n", failed);
+                     : fmt::format("not certified: {} failed\n", failed_parts(c));
   return text;
 }
 

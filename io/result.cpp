@@ -23,6 +23,7 @@ Json rattlers(const Result& r) {
                                           : Json(nullptr);
     };
     all.push_back({{"least_contacts", c.least_contacts},
+                   {"applies", c.least_contacts == r.measures.backbone_threshold},
                    {"large", of_species(r, c.large)},
                    {"small", of_species(r, c.small)},
                    {"large_share", share(c.large, r.large)},
@@ -71,7 +72,7 @@ Json cell(const Triangle& h) {
 
 double Result::thickness() const {
   const Vec3<double> h = heights(measures.cell.edges);
-  return std::min({h.x, h.y, h.z}) / largest_diameter;
+  return std::min({h.x, h.y, h.z}) / sizes.largest;
 }
 
 std::optional<double> Result::phi_J() const {
@@ -124,6 +125,11 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"large", of_species(r, r.large)},
       {"small", of_species(r, r.small)},
       {"polydisperse", r.polydisperse},
+      {"diameters",
+       {{"sizes", r.sizes.count},
+        {"smallest", r.sizes.smallest},
+        {"mean", r.mean_diameter},
+        {"largest", r.sizes.largest}}},
       {"cell", cell(m.cell.edges)},
       {"thickness_in_largest_diameters", r.thickness()},
       {"law", c.contact.friction > 0 ? c.contact.law : c.contact.law + " without friction"},

@@ -8,6 +8,7 @@
 
 #include "engine/events/at_rest.h"
 #include "engine/state/measures.h"
+#include "engine/state/species.h"
 #include "io/case.h"
 
 namespace furnas {
@@ -27,7 +28,8 @@ struct Result {
   std::uint64_t state_hash{};              ///< of the final state
   std::int64_t large{}, small{};           ///< particles of each species
   bool polydisperse{};                     ///< spheres of one species differ in size
-  double largest_diameter{};               ///< [d_s]
+  Sizes sizes;                             ///< of the spheres
+  double mean_diameter{};                  ///< [d_s]
   double time_step{};                      ///< [time]
   double pressure{};                       ///< of the bath at the end [k_n/d_s]
   double inertia{};                        ///< W [rho d_s^5]

@@ -46,7 +46,8 @@ SweepAxis axis_of(std::string_view path, const toml::node& node, const std::stri
   const auto take = [&](const toml::node& value) {
     Case c = base;
     assign(key, value, c, place);
-    if (path == start_key) c.start.file = start_path(file, c.start.file, place);
+    if (path == start_key) c.start.file = file_path(file, path, c.start.file, place);
+    if (path == "mixture.diameters") c.mixture.diameters = file_path(file, path, c.mixture.diameters, place);
     axis.values.push_back(value_text(key, c));
   };
   if (const toml::array* list = node.as_array())

@@ -20,13 +20,18 @@ Rgb rgb(const Colour& colour) {
 }
 
 Coloured by_species(const Packing& packing) {
-  Coloured result{{}, "large spheres grey, small ones gold"};
+  Coloured result{{},
+                  "large spheres grey, small ones gold",
+                  {.words = {{rgb(large_colour), "large"}, {rgb(small_colour), "small"}}}};
   for (const Species species : packing.species) result.particles.push_back(rgb(colour_of(species)));
   return result;
 }
 
 Coloured graded_by(const std::vector<double>& values, double most, const std::string& what) {
-  Coloured result{{}, fmt::format("{} from 0 (dark blue) to {:g} (yellow)", what, most)};
+  Coloured result{
+      {},
+      fmt::format("{}, from 0 (dark blue) to {:g} (yellow)", what, most),
+      {.title = fmt::format("{} ({:g} and more: yellow)", what, most), .scale = ColourScale{0, most}}};
   for (const double value : values) result.particles.push_back(graded(value / most));
   return result;
 }
@@ -36,20 +41,29 @@ Coloured by_coordination(const Packing& packing) {
   for (const Contact& c : packing.contacts) ++contacts[c.i], ++contacts[c.j];
   // A few large spheres may have thousands: they must not leave all others at one end.
   constexpr double most = 12;
-  return graded_by(contacts, most, "contacts of a sphere,");
+  return graded_by(contacts, most, "contacts of a sphere");
 }
 
 Coloured by_rattlers(const Packing& packing, int threshold) {
   const std::vector<bool> out = rattlers(packing, live_contacts(packing), threshold);
+  const auto colour = [](bool rattles, Species species) {
+    Colour c = rattles ? orange : blue;
+    if (species == Species::large)
+      for (double& part : c) part = 0.5 + 0.5 * part;
+    return rgb(c);
+  };
   Coloured result{{},
                   fmt::format("rattlers (fewer than {} live contacts) orange, backbone blue; large spheres "
                               "paler",
-                              threshold)};
-  for (std::size_t k = 0; k < packing.size(); ++k) {
-    Colour colour = out[k] ? orange : blue;
-    if (packing.species[k] == Species::large)
-      for (double& part : colour) part = 0.5 + 0.5 * part;
-    result.particles.push_back(rgb(colour));
+                              threshold),
+                  {}};
+  for (std::size_t k = 0; k < packing.size(); ++k)
+    result.particles.push_back(colour(out[k], packing.species[k]));
+  for (const Species species : {Species::large, Species::small}) {
+    if (std::find(packing.species.begin(), packing.species.end(), species) == packing.species.end()) continue;
+    const std::string name = species == Species::large ? "large" : "small";
+    result.legend.words.push_back({colour(false, species), name + ", backbone"});
+    result.legend.words.push_back({colour(true, species), name + ", rattler"});
   }
   return result;
 }
@@ -74,7 +88,7 @@ Coloured by_pressure(const Packing& packing) {
   if (mean > 0)
     for (double& p : pressure) p /= mean;
   constexpr double most = 3;
-  return graded_by(pressure, most, "pressure on a sphere against that on all,");
+  return graded_by(pressure, most, "pressure on a sphere over that on all");
 }
 
 }  // namespace

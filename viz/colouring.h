@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,28 @@ enum class Colouring {
   pressure       ///< what its contacts press on it, against the mean
 };
 
+/// Values from low to high, graded from dark blue to yellow.
+struct ColourScale {
+  double low{}, high{};
+  bool logarithmic = false;
+};
+
+/// What the colours of a picture mean, to be drawn beside it: a scale, or a word for each colour.
+struct ColourKey {
+  struct Word {
+    Rgb colour{};
+    std::string text;
+  };
+  std::string title{};
+  std::optional<ColourScale> scale{};
+  std::vector<Word> words{};
+};
+
 /// A colour for each particle, and what the colours mean.
 struct Coloured {
   std::vector<Rgb> particles;
-  std::string key;  ///< for the reader of the picture
+  std::string key;   ///< for the reader of the picture, in a sentence
+  ColourKey legend;  ///< the same, to be drawn
 };
 
 /// Colours the particles; those with fewer live contacts than `backbone_threshold` are rattlers.

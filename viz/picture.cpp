@@ -22,6 +22,7 @@
 #include "viz/force_chains.h"
 #include "viz/offscreen.h"
 #include "viz/palette.h"
+#include "viz/picture_key.h"
 #include "viz/scene.h"
 
 namespace furnas {
@@ -155,10 +156,16 @@ void lay_over(std::vector<std::uint8_t>& picture, const std::vector<std::uint8_t
   }
 }
 
-}  // namespace
+/// What the colours mean; of chains those of the tubes.
+ColourKey legend_of(const Packing& packing, const PictureOptions& options) {
+  if (options.style != PictureStyle::chains)
+    return coloured(packing, options.colouring, options.backbone_threshold).legend;
+  const double strongest = strong_force(packing);
+  return {.title = "normal force [k_n d_s]", .scale = ColourScale{1e-2 * strongest, strongest, true}};
+}
 
-Pixels render(const Packing& packing, const PictureOptions& options) {
-  if (packing.size() == 0) throw InputError("cannot draw: the packing has no particles");
+/// The packing alone, in all of the frame.
+Pixels render_packing(const Packing& packing, const PictureOptions& options) {
   OffscreenWindow offscreen(options.width, options.height);
   Drawing drawing = drawing_of(packing, options);
   const View view = view_of(packing, drawing, options);
@@ -176,8 +183,24 @@ Pixels render(const Packing& packing, const PictureOptions& options) {
   return {options.width, options.height, std::move(picture)};
 }
 
-void render_png(const Packing& packing, const std::filesystem::path& path, const PictureOptions& options) {
-  write_png(render(packing, options), path, options.transparent);
+}  // namespace
+
+Pixels render(const Packing& packing, const PictureOptions& options) {
+  if (packing.size() == 0) throw InputError("cannot draw: the packing has no particles");
+  const int strip = options.key ? height_of_key(options.width) : 0;
+  if (strip == 0 || 2 * strip > options.height) return render_packing(packing, options);
+  PictureOptions above = options;
+  above.height -= strip;
+  const Pixels drawn = render_packing(packing, above);
+  Pixels picture = drawn_key(legend_of(packing, options), options.width);
+  picture.height = options.height;
+  picture.rgba.insert(picture.rgba.end(), drawn.rgba.begin(), drawn.rgba.end());
+  return picture;
+}
+
+void render_picture(const Packing& packing, const std::filesystem::path& path,
+                    const PictureOptions& options) {
+  write_picture(render(packing, options), path, options.transparent);
 }
 
 double room_of(const Packing& packing, const std::array<int, 3>& times) {

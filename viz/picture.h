@@ -24,6 +24,7 @@ struct PictureOptions {
   int height = 2000;              ///< [pixels]
   bool transparent = false;       ///< no background instead of a white one
   bool cell = true;               ///< draw the edges of the periodic cell
+  bool key = false;               ///< say below the packing what the colours mean, where there is room
   bool ambient_occlusion = true;  ///< darken what lies deep between spheres
   PictureStyle style = PictureStyle::block;
   Colouring colouring = Colouring::species;
@@ -40,9 +41,9 @@ struct PictureOptions {
 /// contacts.
 Pixels render(const Packing& packing, const PictureOptions& options = {});
 
-/// render, to a PNG file; throws OutputError when the file cannot be written.
-void render_png(const Packing& packing, const std::filesystem::path& path,
-                const PictureOptions& options = {});
+/// render, to a PNG or JPEG file (write_picture); throws OutputError when the file cannot be written.
+void render_picture(const Packing& packing, const std::filesystem::path& path,
+                    const PictureOptions& options = {});
 
 /// Radius of the ball that holds everything, the cell repeated `times`, about the middle of it all [d_s]; for
 /// PictureOptions::room.

@@ -18,13 +18,13 @@ Census::Kind kind_of(const char* name, double count, double diameter, double exp
 
 Census census_of_mixture(const Case& c) {
   const double smalls = small_count(mixture_of(c)), larges = static_cast<double>(c.mixture.large);
-  const double exponent = c.compaction.mass_exponent, ratio = c.mixture.size_ratio;
+  const double exponent = c.compaction.mass_exponent, ratio = large_diameter(mixture_of(c));
   Census n;
   if (smalls > 0) n.kinds.push_back(kind_of("small", smalls, 1, exponent));
   n.kinds.push_back(kind_of("large", larges, ratio, exponent));
   n.particles = smalls + larges;
   n.volume = larges * sphere_volume(0.5 * ratio) + smalls * sphere_volume(0.5);
-  n.sizes = {n.kinds.size(), n.kinds.front().diameter, ratio};
+  n.sizes = {ratio > 1 ? n.kinds.size() : 1, n.kinds.front().diameter, ratio};
   const double other = n.kinds.front().count > 1 ? n.kinds.front().mass : n.kinds.back().mass;
   n.lightest = {n.kinds.front().mass, other};
   n.density = {n.kinds.back().mass / sphere_mass(0.5 * ratio), 1};
@@ -77,7 +77,9 @@ Census census_of_file(const Case& c) {
 
 }  // namespace
 
-Census census_of(const Case& c) { return c.start.file.empty() ? census_of_mixture(c) : census_of_file(c); }
+Census census_of(const Case& c) {
+  return c.start.file.empty() && c.mixture.diameters.empty() ? census_of_mixture(c) : census_of_file(c);
+}
 
 std::string text_of(const Census& n) {
   std::string text;
@@ -93,6 +95,8 @@ std::string text_of(const Census& n) {
     text = fmt::format("particles {:.0f}: {:.0f} large of diameter {:g}, {:.0f} small of diameter {:g}\n",
                        n.particles, of("large").count, of("large").diameter, of("small").count,
                        of("small").diameter);
+    if (n.kinds.size() == 2 && n.sizes.smallest == n.sizes.largest)
+      text += "          all equal: with a size ratio of 1 large and small differ in name alone\n";
   }
   const auto is_usual = [](double density) { return std::abs(density - 1) < 1e-6; };
   if (!is_usual(n.density[0]) || !is_usual(n.density[1]))
@@ -102,11 +106,12 @@ std::string text_of(const Census& n) {
   return text;
 }
 
-std::string remark_on_units(const Census& n, const Case& c) {
-  constexpr double far = 10;  // a small sphere has the diameter 1
-  if (c.start.file.empty() || (n.sizes.smallest > 1 / far && n.sizes.smallest < far)) return {};
+std::string refusal_of_units(const Census& n, const Case& c) {
+  constexpr double rounding = 1e-3;  // of a file in text
+  if (c.start.file.empty() || std::abs(n.sizes.smallest - 1) < rounding) return {};
   return fmt::format(
-      "lengths are in d_s, the diameter of a small sphere, and masses in rho d_s^3; the smallest sphere of "
+      "lengths are in d_s, the diameter of the smallest spheres, and masses in rho d_s^3; the smallest "
+      "sphere of "
       "{} has the "
       "diameter {:g} and the density {:.6g}. Rescale it: furnas import {} --scale {:.10g} --density {:.10g} "
       "--out "

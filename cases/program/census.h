@@ -34,8 +34,8 @@ Census census_of(const Case& c);
 /// Two lines at most that say which spheres there are.
 std::string text_of(const Census& census);
 
-/// What is to be said of a start file whose lengths are not in diameters of a small sphere, as those in
-/// metres; empty if there is nothing.
-std::string remark_on_units(const Census& census, const Case& c);
+/// What is to be said of a start file whose smallest sphere does not have the diameter 1, with the command
+/// that rescales it; empty if there is nothing.
+std::string refusal_of_units(const Census& census, const Case& c);
 
 }  // namespace furnas

@@ -67,6 +67,10 @@ fs::path folder_about(const std::string& folder_or_file, const std::string& want
   return folder;
 }
 
+void make_folder_of(const fs::path& file) {
+  if (file.has_parent_path()) make_folder(file.parent_path());
+}
+
 std::optional<Case> case_about(const PackingSource& source, const std::string& folder_or_file) {
   if (source.of_case) return source.of_case;
   const fs::path folder = fs::absolute(folder_or_file).parent_path();

@@ -45,6 +45,9 @@ void remark_on_losses(const Packing& packing, std::string_view format, std::ostr
 /// that in which the packing's file lies. Throws InputError, also when a file stands in its place.
 std::filesystem::path folder_about(const std::string& folder_or_file, const std::string& wanted);
 
+/// Makes the folder in which `file` is to stand, if it is missing. Throws InputError.
+void make_folder_of(const std::filesystem::path& file);
+
 /// The packing alone.
 Packing packing_from(const std::string& folder_or_file);
 

@@ -11,6 +11,7 @@
 #include "engine/monitor/stability.h"
 #include "engine/simulation.h"
 #include "io/case_protocol.h"
+#include "io/diameters_file.h"
 #include "io/result.h"
 
 namespace furnas {
@@ -115,15 +116,20 @@ std::string pairs_report(const Census& n, const AnyLaw& law) {
 
 /// A time step at which the two lightest spheres are unstable: it was chosen, or found allowed, for those of
 /// density 1.
-std::string refusal_of_step(const Census& n, double dt, const AnyLaw& law, const Case& c) {
+std::string refusal_of_step(const Census& n, double dt, const AnyLaw& law) {
   const double limit = largest_stable_step(law, lightest_pair(n));
   if (dt < limit) return {};
-  const std::string units = remark_on_units(n, c);
   return fmt::format(
       "the time step {:.4g} is too long for the two lightest spheres, of masses {:.4g} and {:.4g} rho d_s^3; "
-      "{}",
-      dt, n.lightest[0], n.lightest[1],
-      units.empty() ? fmt::format("allowed: compaction.time_step_absolute below {:.4g}", limit) : units);
+      "allowed: compaction.time_step_absolute below {:.4g}",
+      dt, n.lightest[0], n.lightest[1], limit);
+}
+
+/// What one d_s is in the unit of the case's list of diameters; empty without one.
+std::string unit_of_list(const Case& c) {
+  if (c.mixture.diameters.empty()) return {};
+  return fmt::format("1 d_s is {:g}, the smallest diameter in {}", read_diameters(c.mixture.diameters).unit,
+                     c.mixture.diameters);
 }
 
 }  // namespace
@@ -152,8 +158,10 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       relative_time_step(protocol_of(c), smallest), choice_of_step(c),
       dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
-  out.remark = remark_on_units(n, c);
-  if (!out.remark.empty()) out.report += "units     " + out.remark + "\n";
+  out.refusal = refusal_of_units(n, c);
+  out.remark = unit_of_list(c);
+  for (const std::string& units : {out.refusal, out.remark})
+    if (!units.empty()) out.report += "units     " + units + "\n";
 
   const double dense = 0.64;
   const double edge = std::cbrt(n.volume / dense);
@@ -177,8 +185,8 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       windows * steps_of_window(c, smallest) > static_cast<double>(c.stop.steps))
     out.report += fmt::format("verdict   none: {} window{} of {} t_c do not fit into the cap of {} steps\n",
                               windows, windows == 1 ? "" : "s", c.stop.window, c.stop.steps);
-  out.refusal = refusal_of_memory(n.particles, limit, c);
-  if (out.refusal.empty()) out.refusal = refusal_of_step(n, dt, law, c);
+  if (out.refusal.empty()) out.refusal = refusal_of_memory(n.particles, limit, c);
+  if (out.refusal.empty()) out.refusal = refusal_of_step(n, dt, law);
   if (out.refusal.empty()) out.refusal = refusal_of_time(seconds(1), c, smallest);
   return out;
 }

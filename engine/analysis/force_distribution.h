@@ -17,9 +17,10 @@ struct ForceBins {
 /// How a force is spread over contacts: the density of forces over their mean, the mean over these contacts.
 struct ForceDistribution {
   std::int64_t contacts{};
-  double mean{};        ///< of the forces [k_n d_s]
-  double largest{};     ///< f of the contact that carries most [k_n d_s]
-  Histogram histogram;  ///< of force/mean; without bins where the mean is 0. Logarithmic bins leave zeros `below`.
+  double mean{};     ///< of the forces [k_n d_s]
+  double largest{};  ///< f of the contact that carries most [k_n d_s]
+  Histogram
+      histogram;  ///< of force/mean; without bins where the mean is 0. Logarithmic bins leave zeros `below`.
 };
 
 /// Of the normal forces.

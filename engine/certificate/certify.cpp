@@ -270,6 +270,8 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   Certificate certificate;
   certificate.particles = std::ssize(packing.radius);
   certificate.backbone = std::ssize(backbone.particles);
+  certificate.live_backbone =
+      std::ssize(find_backbone(network, packing.species, {.least_contacts = rule.least_contacts}).particles);
   certificate.contacts = std::ssize(backbone.bonds);
   certificate.least_contacts = rule.least_contacts;
   certificate.unlisted = network.unlisted;

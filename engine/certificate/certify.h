@@ -33,14 +33,15 @@ const char* to_string(Balance balance);
 /// The answers of all parts about a packing.
 struct Certificate {
   std::int64_t particles{};
-  std::int64_t backbone{};
-  std::int64_t contacts{};          ///< among the backbone
-  int least_contacts{};             ///< with fewer contacts a particle is no part of the backbone
-  std::int64_t unlisted{};          ///< contacts of the geometry that the packing's list does not have
-  std::int64_t open{};              ///< contacts of the list whose spheres do not overlap
-  Balance balance{};                ///< of forces and torques on the backbone
-  double bulk_modulus{};            ///< K, not a number if it could not be had [k_n/d_s]
-  double shear_modulus{};           ///< G, mean over directions [k_n/d_s]
+  std::int64_t backbone{};       ///< particles of it, every overlap counted
+  std::int64_t live_backbone{};  ///< by the rule of a run: contacts above 1 % of the mean F_n of their kind
+  std::int64_t contacts{};       ///< among the backbone
+  int least_contacts{};          ///< with fewer contacts a particle is no part of the backbone
+  std::int64_t unlisted{};       ///< contacts of the geometry that the packing's list does not have
+  std::int64_t open{};           ///< contacts of the list whose spheres do not overlap
+  Balance balance{};             ///< of forces and torques on the backbone
+  double bulk_modulus{};         ///< K, not a number if it could not be had [k_n/d_s]
+  double shear_modulus{};        ///< G, mean over directions [k_n/d_s]
   std::vector<double> eigenvalues;  ///< the lowest [k_n]
   double growth_rate{};             ///< of the fastest motion that grows, 0 if none was found [1/time]
   std::vector<Part> parts;

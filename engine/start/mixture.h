@@ -8,7 +8,7 @@ namespace furnas {
 
 /// Two sizes of spheres of density 1; the small ones have the diameter 1.
 struct Mixture {
-  double size_ratio = 1;         ///< alpha, diameter of the large ones [d_s]
+  double size_ratio = 1;         ///< alpha, diameter of the large ones [d_s]; 1 if there is no small one
   double small_fraction = 0;     ///< f_s, share of the small ones in the volume of the spheres
   std::int64_t large = 1000;     ///< N_l
   double start_fraction = 0.05;  ///< packing fraction of the gas
@@ -18,9 +18,11 @@ struct Mixture {
 /// N_s = N_l alpha^3 f_s/(1 - f_s), rounded to a whole number; a real number, so that it cannot overflow.
 double small_count(const Mixture& mixture);
 
-/// A gas of spheres at rest that do not touch, in a cubic cell; large ones first. Each is put at a random
-/// place, again until it is free (random sequential addition), large ones first. Throws InputError when
-/// no free place is found.
+/// Diameter of the large spheres: size_ratio, or 1 if no small sphere exists, for then they are the smallest
+/// [d_s].
+double large_diameter(const Mixture& mixture);
+
+/// A gas of these spheres (dilute_gas in engine/start/gas.h); large ones first.
 Packing dilute_start(const Mixture& mixture);
 
 /// Gives each sphere the mass (pi/6) d^exponent, d its diameter in units of d_s [rho d_s^3]: the statics know

@@ -29,6 +29,7 @@ const fs::path checkout_root = FURNAS_SOURCE_DIR;
 const std::vector<std::string> guide_pages{"README.md",
                                            "docs/guide/first-steps.md",
                                            "docs/guide/case-files.md",
+                                           "docs/guide/units.md",
                                            "docs/guide/end-of-a-run.md",
                                            "docs/guide/stopping-and-resuming.md",
                                            "docs/guide/analysis.md",

@@ -129,7 +129,7 @@ TEST(Render, DrawsTheFramesOfARunAndTurnsAround) {
       fs::remove(runs.path(fmt::format("p_{:04}.png", count)));
     return count;
   };
-  EXPECT_EQ(pictures({"--compaction"}), 2);
+  EXPECT_EQ(pictures({"--compaction"}), 3) << "the start, and the end that is a frame already";
   EXPECT_EQ(pictures({"--turning", "3", "--colour", "rattlers"}), 3);
 }
 

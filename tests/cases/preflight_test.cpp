@@ -72,6 +72,16 @@ TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
   EXPECT_THAT(check_case(c).report, AllOf(Not(HasSubstr(thin)), Not(HasSubstr(images))));
 }
 
+TEST(Preflight, SaysThatSpheresOfOneSizeAreAllEqual) {
+  const char* const equal = "all equal: with a size ratio of 1 large and small differ in name alone";
+  Case c;
+  EXPECT_THAT(check_case(c).report, Not(HasSubstr(equal)));
+  c.mixture.small_fraction = 0.3;
+  EXPECT_THAT(check_case(c).report, HasSubstr(equal));
+  c.mixture.size_ratio = 2;
+  EXPECT_THAT(check_case(c).report, Not(HasSubstr(equal)));
+}
+
 TEST(Preflight, RefusesWhatTheMachineCannotHold) {
   Case c = bidisperse();
   EXPECT_TRUE(check_case(c).refusal.empty());

@@ -49,6 +49,7 @@ threads = 1
 [output]
 history_every = 7
 snapshot_every = 60
+snapshot_phi = 0.01
 picture = "none"
 )";
 
@@ -83,7 +84,8 @@ TEST(ReliableSplitRun, TheWindowHasAllThatCanHappen) {
   EXPECT_EQ(result["flips"], 1);
   EXPECT_GT(result["quenches"], 0);
   EXPECT_GT(result["lists_built"], 5);
-  EXPECT_EQ(read_frames(runs.path("whole/frames.pvd")).size(), 5u);
+  EXPECT_GT(read_frames(runs.path("whole/frames.pvd")).size(), 7u)
+      << "more than by steps and the start alone";
   const auto contacts = column(runs, "whole", "Contacts");
   EXPECT_TRUE(Checkpoints::read_newest(runs.path("start")).packing.contacts.empty());
   EXPECT_GT(contacts.back(), 50);

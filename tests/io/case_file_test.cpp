@@ -133,6 +133,12 @@ const std::vector<BadInput> bad_inputs = {
     {"not one small sphere",
      "[mixture]\nsmall_fraction = 0.1\nlarge = 1\n",
      {"case.toml:2:", "small_fraction = 0.1", "less than one small sphere"}},
+    {"too small a cell",
+     "[mixture]\nlarge = 2\n",
+     {"case.toml:2:", "mixture.large = 2", "too small to jam; allowed: at least 10, and from 34 on"}},
+    {"listed and mixed",
+     "[mixture]\nlarge = 50\ndiameters = \"a.txt\"\n",
+     {"case.toml:3:", "mixture.diameters = \"a.txt\"", "leave one of them out"}},
     {"read and drawn",
      "[mixture]\nlarge = 1000\n[start]\nfile = \"a.data\"\n",
      {"case.toml:4:", "a.data", "[mixture]"}},
@@ -197,8 +203,13 @@ TEST(CaseFile, ResolvedCaseReadsBackTheSame) {
                   .mass_exponent = 2.5};
   c.stop = {"paper", 1e-2, 1e-3, 1e-12, 1e-7, 5, 10, 1e3, 2, false, 0};
   c.compute = {"double", 3, 0.25};
-  c.output = {10, 20, 0.5, "none", 512, "transparent"};
+  c.output = {10, 20, 0.02, 0.5, "none", 512, "transparent"};
   EXPECT_EQ(parse_case(resolved_toml(c), "resolved.toml"), c);
+
+  Case listed;
+  listed.mixture.diameters = "sizes.txt";
+  EXPECT_EQ(parse_case(resolved_toml(listed), "resolved.toml"), listed);
+  EXPECT_EQ(resolved_toml(listed).find("size_ratio = "), std::string::npos);
 
   Case read;
   read.start.file = "a \"quoted\" \\ path.data";
@@ -299,6 +310,16 @@ TEST(CaseFile, ValidateChecksACaseMadeByHand) {
   c = Case{};
   c.compute.threads = 5000;
   EXPECT_THROW(validate(c), InputError);
+}
+
+TEST(CaseFile, OneLargeSphereIsEnoughAmongManySmallOnes) {
+  Case c;
+  c.mixture = {.size_ratio = 40, .small_fraction = 0.3, .large = 1};
+  EXPECT_NO_THROW(validate(c));
+  c.mixture = {.large = 9};
+  EXPECT_THROW(validate(c), InputError);
+  c.compaction.cell = "fixed";
+  EXPECT_NO_THROW(validate(c)) << "nothing is to jam in it";
 }
 
 TEST(CaseFile, CountsAndTimesOfThePaper) {

@@ -1,11 +1,31 @@
 #include "io/case_protocol.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
+#include "io/formats.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+template <class Act>
+std::string refusal_of_start(Act&& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
 
 // A C++ program that says nothing and a case file that says nothing run the same protocol.
 TEST(CaseProtocol, HasTheDefaultsOfTheEngine) {
@@ -109,6 +129,32 @@ TEST(CaseProtocol, AStartFromAFileBeginsItsOwnClock) {
   EXPECT_EQ(packing.step, 0);
   EXPECT_EQ(packing.time, 0);
   EXPECT_GT(packing.size(), 0u);
+}
+
+TEST(CaseProtocol, AListOfDiametersIsAStart) {
+  const TemporaryFolder folder;
+  std::string list = "# micrometres\n";
+  for (int k = 0; k < 50; ++k) list += fmt::format("{}\n", 30 + (k * 17) % 50);
+  write_file(folder / "sizes.txt", list);
+  Case c;
+  c.mixture.diameters = folder / "sizes.txt";
+  const Packing packing = start_of(c);
+  ASSERT_EQ(packing.size(), 50u);
+  for (std::size_t k = 0; k < 50; ++k)
+    EXPECT_DOUBLE_EQ(2 * packing.radius[k], static_cast<double>(30 + (k * 17) % 50) / 30)
+        << "in the order of lines";
+  EXPECT_NEAR(packing.fraction_filled(), 0.05, 1e-12);
+  write_file(folder / "sizes.txt", "1\n1\n1\n");
+  EXPECT_THAT(refusal_of_start([&] { start_of(c); }), HasSubstr("3 spheres make a cell 1.3 diameters"));
+}
+
+TEST(CaseProtocol, TheSmallestSpheresThatExistAreTheUnit) {
+  Case c;
+  c.mixture = {.size_ratio = 10, .large = 50};
+  EXPECT_EQ(start_of(c).radius, std::vector<double>(50, 0.5))
+      << "no small ones, so that the large ones are it";
+  c.mixture.small_fraction = 0.01;
+  EXPECT_EQ(start_of(c).radius.front(), 5);
 }
 
 }  // namespace

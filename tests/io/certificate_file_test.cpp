@@ -42,11 +42,35 @@ TEST(CertificateFile, TellsEachPart) {
 
   const std::string text = content(folder / "certificate.txt");
   EXPECT_THAT(text, HasSubstr("Certificate of a run"));
-  EXPECT_THAT(text, HasSubstr("FAILED  balance (necessary only)"));
+  EXPECT_THAT(text, HasSubstr("FAILED  balance\n"));
   EXPECT_THAT(text, HasSubstr("passed  modes (sufficient to first order)"));
   EXPECT_THAT(text, HasSubstr("so-so"));
   EXPECT_THAT(text, HasSubstr("not certified: balance failed"));
   EXPECT_EQ(text, certificate_text(two_parts(), {}, "a run"));
+}
+
+Certificate all_passed(Proves stability) {
+  Certificate c = two_parts();
+  c.parts[0].findings = {at_most("sum", 0.5, 1)};
+  c.parts[1].proves = stability;
+  c.live_backbone = 7;
+  return c;
+}
+
+TEST(CertificateFile, BeginsWithWhatIsProvenAndWhatIsNot) {
+  const std::string stable = certificate_text(all_passed(Proves::sufficient), {}, "a run");
+  EXPECT_THAT(stable, HasSubstr("Certificate of a run\n\nProven, to first order: "));
+  EXPECT_THAT(stable, HasSubstr("Not proven: what large motions"));
+  const std::string sliding = certificate_text(all_passed(Proves::necessary), {}, "a run");
+  EXPECT_THAT(sliding, HasSubstr("Not proven: that every small motion costs energy"));
+  EXPECT_THAT(certificate_text(two_parts(), {}, "a run"),
+              HasSubstr("Certificate of a run\n\nNot certified: balance failed"));
+}
+
+TEST(CertificateFile, NamesTheRuleOfEachCount) {
+  const std::string text = certificate_text(all_passed(Proves::sufficient), {}, "a run");
+  EXPECT_THAT(text, HasSubstr("8 of them in the backbone with 30 contacts (every overlap counts)"));
+  EXPECT_THAT(text, HasSubstr("by the rule of a run (live contacts only) 7"));
 }
 
 // A number that is none keeps no limit.

@@ -40,7 +40,8 @@ Result example(Verdict verdict) {
   r.state_hash = 0x0123456789abcdef;
   r.large = 200;
   r.small = 800;
-  r.largest_diameter = 1.6;
+  r.sizes = {2, 1, 1.6};
+  r.mean_diameter = 1.12;
   r.time_step = 0.032415;
   r.pressure = 1e-4;
   r.wall_seconds = 2;
@@ -93,6 +94,7 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["threads"], 3);
   EXPECT_EQ(json["applied_pressure"], 1e-4);
   EXPECT_EQ(json["cell"], (Json{{"lx", 2}, {"ly", 3}, {"lz", 4}, {"xy", 0.3}, {"xz", 0.2}, {"yz", 0.1}}));
+  EXPECT_EQ(json["diameters"], (Json{{"sizes", 2}, {"smallest", 1.0}, {"mean", 1.12}, {"largest", 1.6}}));
   // The volume over the face that the second and the third edge span.
   EXPECT_NEAR(json["thickness_in_largest_diameters"], 24 / std::hypot(12, 1.2, 0.57) / 1.6, 1e-12);
 }
@@ -108,6 +110,7 @@ TEST(Result, CountsRattlersOfEachSpeciesAtEachThreshold) {
     EXPECT_EQ(row["large_share"], (10 + n) / 200.0);
     EXPECT_EQ(row["small_share"], (40 + n) / 800.0);
     EXPECT_EQ(row["backbone"], 900 - n);
+    EXPECT_EQ(row["applies"], n == 1) << "the threshold of this run is 3";
   }
   Result mono = example(Verdict::jammed);
   mono.small = 0;

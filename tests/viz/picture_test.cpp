@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
+#include <vtkJPEGReader.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
@@ -15,6 +16,7 @@
 
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "viz/picture_key.h"
 #include "viz/scene.h"
 #include "viz/spheres.h"
 
@@ -101,7 +103,7 @@ double brightness(const Pixels& picture) {
 
 TEST(Picture, FileShowsBothSpeciesOnWhite) {
   const auto path = fresh_folder() / "packing.png";
-  render_png(lattice(4, 1.1, 0.9), path, {.width = 300, .height = 200});
+  render_picture(lattice(4, 1.1, 0.9), path, {.width = 300, .height = 200});
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -141,7 +143,7 @@ TEST(Picture, BlockFillsTheFrame) {
 
 TEST(Picture, TransparentOutsideAndOpaqueInside) {
   const auto path = fresh_folder() / "packing.png";
-  render_png(lattice(3, 1.6, 1.5), path, {.width = 120, .height = 120, .transparent = true});
+  render_picture(lattice(3, 1.6, 1.5), path, {.width = 120, .height = 120, .transparent = true});
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -318,12 +320,57 @@ TEST(Picture, NamesThePathThatCannotBeWritten) {
   const auto folder = fresh_folder();
   const PictureOptions options{.width = 20, .height = 20};
   const auto lost = folder / "missing" / "packing.png";
-  EXPECT_THAT(refusal<OutputError>([&] { render_png(one_sphere(), lost, options); }),
+  EXPECT_THAT(refusal<OutputError>([&] { render_picture(one_sphere(), lost, options); }),
               testing::AllOf(HasSubstr(lost.string()), HasSubstr("No such file")));
-  EXPECT_THAT(refusal<OutputError>([&] { render_png(one_sphere(), folder, options); }),
-              HasSubstr(folder.string()));
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
-  EXPECT_FALSE(std::filesystem::exists(folder.string() + ".tmp"));
+  const auto taken = folder / "taken.png";
+  std::filesystem::create_directory(taken);
+  EXPECT_THAT(refusal<OutputError>([&] { render_picture(one_sphere(), taken, options); }),
+              HasSubstr(taken.string()));
+  EXPECT_TRUE(std::filesystem::is_empty(taken));
+  EXPECT_FALSE(std::filesystem::exists(taken.string() + ".tmp"));
+}
+
+TEST(Picture, ExtensionNamesTheFormat) {
+  const auto folder = fresh_folder();
+  const PictureOptions options{.width = 20, .height = 20};
+  render_picture(one_sphere(), folder / "a.jpg", options);
+  vtkNew<vtkJPEGReader> reader;
+  EXPECT_NE(reader->CanReadFile((folder / "a.jpg").c_str()), 0);
+  EXPECT_THAT(refusal([&] { render_picture(one_sphere(), folder / "a.gif", options); }),
+              HasSubstr("a.gif: its extension names no format of pictures; allowed: .png, .jpg, .jpeg"));
+  const PictureOptions clear{.width = 20, .height = 20, .transparent = true};
+  EXPECT_THAT(refusal([&] { render_picture(one_sphere(), folder / "b.jpg", clear); }),
+              HasSubstr("a JPEG cannot be transparent"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.jpg"));
+}
+
+TEST(Picture, KeyStandsBelowThePacking) {
+  const PictureOptions with{.width = 500, .height = 500, .key = true, .colouring = Colouring::coordination};
+  PictureOptions without = with;
+  without.key = false;
+  without.height = 500 - height_of_key(500);
+  const Pixels key = drawn_key(coloured(one_sphere(), Colouring::coordination, 4).legend, 500);
+  const Pixels all = render(one_sphere(), with), packing = render(one_sphere(), without);
+  ASSERT_EQ(all.rgba.size(), 4u * 500 * 500);
+  const auto end_of_key = all.rgba.begin() + static_cast<std::ptrdiff_t>(key.rgba.size());
+  EXPECT_TRUE(std::equal(all.rgba.begin(), end_of_key, key.rgba.begin(), key.rgba.end()));
+  EXPECT_TRUE(std::equal(end_of_key, all.rgba.end(), packing.rgba.begin(), packing.rgba.end()));
+  EXPECT_EQ(render(one_sphere(), {.width = 60, .height = 60, .key = true}).rgba,
+            render(one_sphere(), {.width = 60, .height = 60}).rgba)
+      << "no room for letters";
+}
+
+TEST(PictureKey, BarRunsThroughTheColoursOfTheScale) {
+  const Pixels key = drawn_key({.title = "contacts", .scale = ColourScale{0, 12}}, 800);
+  ASSERT_EQ(key.height, height_of_key(800));
+  const int y =
+      static_cast<int>(2.15 * 0.019 * 800);  // the middle of the bar, from 0.15 to 0.85 of the width
+  for (const double at : {0.1, 0.5, 0.9}) {
+    const Pixel found = pixel(key, static_cast<int>(800 * (0.15 + 0.7 * at)), y);
+    const Rgb wanted = graded(at);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], 3) << at;
+  }
+  EXPECT_TRUE(is_background(pixel(key, 40, y)));
 }
 
 TEST(Room, HoldsEveryCopyOfTheCell) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
+#include "cases/program/run/progress.h"
 #include "engine/base/require.h"
 #include "engine/state/validate.h"
 #include "io/case_protocol.h"
@@ -24,6 +26,17 @@ struct Options {
   std::optional<double> cone_excess;
   int eigenvalues = CertificateTerms{}.eigenvalues;
 };
+
+/// The eigenvalues of a large packing take a while; the time is that of docs/decisions.md: 0.3 s for 1000
+/// particles, 17 s for 4756.
+void announce(std::size_t particles, Console console) {
+  constexpr double of_thousand = 0.3, power = 2.6, noticed = 2;  // [s]
+  const double seconds = of_thousand * std::pow(static_cast<double>(particles) / 1000, power);
+  if (seconds < noticed) return;
+  console.err << "certifies " << particles << " particles: their stiffness and its eigenvalues, about "
+              << duration_text(seconds) << '\n'
+              << std::flush;
+}
 
 /// What the case promised; the limit of the force balance is at least the loose one.
 CertificateTerms terms_of(const PackingSource& source, const Options& options) {
@@ -48,21 +61,23 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   return terms;
 }
 
-/// A packing and what it should be: its run tells that, or the options. In a file without contacts its overlaps are
-/// the contacts, without histories.
+/// A packing and what it should be: its run tells that, or the options. In a file without contacts its
+/// overlaps are the contacts, without histories.
 PackingSource told_source(const Options& options) {
   PackingSource source = packing_source(options.source, options.frame);
   if (source.of_case) {
     if (options.pressure || options.friction)
-      throw InputError(options.source +
-                       ": its case tells pressure and friction; allowed: --pressure and --friction for a packing "
-                       "in a file without a case");
+      throw InputError(
+          options.source +
+          ": its case tells pressure and friction; allowed: --pressure and --friction for a packing "
+          "in a file without a case");
     return source;
   }
   if (!options.pressure)
-    throw InputError(options.source +
-                     ": no case in it; allowed: the folder of a run, one of its checkpoints, or a packing with "
-                     "--pressure and, unless it is 0, --friction");
+    throw InputError(
+        options.source +
+        ": no case in it; allowed: the folder of a run, one of its checkpoints, or a packing with "
+        "--pressure and, unless it is 0, --friction");
   validate(source.packing);
   Case c;
   c.compaction.pressure = {*options.pressure};
@@ -101,6 +116,7 @@ Command certify_command() {
     const PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
+    announce(source.packing.size(), console);
     const Certificate certificate = certify(source.packing, terms);
     write_certificate(certificate, terms, options->source, folder);
     console.out << certificate_text(certificate, terms, options->source);

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "cases/program/commands/command.h"
@@ -13,6 +16,7 @@ Command check_command() {
   struct Options {
     std::string file;
     std::vector<std::string> set;
+    std::optional<int> threads;
   };
   auto options = std::make_shared<Options>();
   Command command;
@@ -22,8 +26,10 @@ Command check_command() {
   command.setup = [options](CommandLine& app) {
     app.add("CASE", options->file, "case file").required();
     app.add("--set", options->set, "change a key of the case, e.g. mixture.large=400");
+    app.add("--threads", options->threads, "compute.threads");
   };
   command.run = [options](Console console) {
+    if (options->threads) options->set.push_back(fmt::format("compute.threads={}", *options->threads));
     if (holds_sweep(options->file)) {
       console.out << sweep_report(read_sweep(options->file, options->set));
       return ExitCode::done;

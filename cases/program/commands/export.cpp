@@ -1,36 +1,131 @@
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
 #include <ostream>
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
+#include "engine/base/require.h"
+#include "engine/protocol/protocol.h"
+#include "io/atomic_file.h"
 #include "io/formats.h"
+#include "io/voxels.h"
+#include "viz/solid_surface.h"
 
 namespace furnas {
+namespace {
+
+struct Options {
+  std::string source;
+  std::optional<std::int64_t> frame;
+  std::string format;
+  std::string out;
+  std::optional<double> edge;
+  bool box = false;
+};
+
+/// Says what a large file takes before it is written; throws OutputError if the disk has no room for it.
+void announce(const std::string& what, double bytes, double memory, const std::string& out, Console console) {
+  console.err << fmt::format("{}: {:.1f} MB in {}, {:.0f} MB of memory\n", what, bytes / 1e6, out,
+                             memory / 1e6)
+              << std::flush;
+  std::error_code unknown;
+  const auto folder = std::filesystem::absolute(out).parent_path();
+  const auto space = std::filesystem::space(folder, unknown);
+  if (!unknown && static_cast<double>(space.available) < bytes)
+    throw OutputError(fmt::format("{}: needs {:.1f} MB and the disk has {:.1f} MB; allowed: a longer --edge",
+                                  out, bytes / 1e6, static_cast<double>(space.available) / 1e6));
+}
+
+/// As long as a sixteenth of the smallest sphere, if not said otherwise.
+double edge_of(const Options& options, const Packing& packing) {
+  return options.edge.value_or(smallest_diameter(packing) / 16);
+}
+
+void export_voxels(const Options& options, const Packing& packing, const std::string& out, Console console) {
+  const VoxelPlan plan = plan_voxels(packing, edge_of(options, packing));
+  const auto& n = plan.grid.points;
+  const auto& h = plan.grid.spacing;
+  announce(
+      fmt::format("{} x {} x {} voxels of {:.4g} x {:.4g} x {:.4g} d_s", n[0], n[1], n[2], h.x, h.y, h.z),
+      static_cast<double>(plan.bytes), plan.memory, out, console);
+  write_voxels(plan, out);
+}
+
+void export_stl(const Options& options, const Packing& packing, const std::string& out, Console console) {
+  const double edge = edge_of(options, packing);
+  const SurfacePlan plan = plan_surface(packing, edge, options.box);
+  announce(fmt::format("about {:.2g} triangles on a grid of {:.4g} d_s", plan.triangles, edge), plan.bytes,
+           plan.memory, out, console);
+  console.err << write_stl(plan, out) << " triangles\n";
+}
+
+/// A solid is no packing: its spheres cannot be read back.
+struct SolidFormat {
+  const char* name;
+  const char* extension;
+  void (*write)(const Options&, const Packing&, const std::string& out, Console);
+};
+
+constexpr SolidFormat solids[] = {{"stl", ".stl", export_stl}, {"voxels", ".mhd", export_voxels}};
+
+const SolidFormat* solid_of(const std::string& name) {
+  for (const SolidFormat& solid : solids)
+    if (solid.name == name) return &solid;
+  return nullptr;
+}
+
+void export_packing(const std::string& format, const Packing& packing, const std::string& out,
+                    Console console) {
+  write_packing(packing, format, out);
+  remark_on_losses(packing, format, console.err);
+}
+
+void require_solid_options_fit(const Options& options) {
+  if (options.edge && !solid_of(options.format))
+    throw InputError(fmt::format("--edge and {} exclude each other; allowed: stl, voxels", options.format));
+  if (options.box && options.format != "stl")
+    throw InputError(fmt::format("--box and {} exclude each other; allowed: stl", options.format));
+}
+
+}  // namespace
 
 Command export_command() {
-  struct Options {
-    std::string source;
-    std::optional<std::int64_t> frame;
-    std::string format;
-    std::string out;
-  };
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "export";
   command.does = "write a packing in another format";
-  command.example = "furnas export runs/first_packing lammps-data";
+  command.example = "furnas export runs/first_packing stl --edge 0.1 --box";
   command.setup = [options](CommandLine& app) {
     add_packing_source(app, options->source, options->frame);
-    app.add("FORMAT", options->format, names_of_written_formats()).required();
-    app.add("--out", options->out, "file; default: packing with the format's extension");
+    app.add("FORMAT", options->format,
+            names_of_written_formats() +
+                "; stl: the union of the spheres as triangles; voxels: a MetaImage, 1 in a sphere and 0 "
+                "between them, of the box that repeats")
+        .required();
+    app.add("--out", options->out,
+            "file, whose folder is made; default: packing with the format's extension");
+    app.add("--edge", options->edge,
+            "of stl and voxels: edge of the grid [d_s]; default: a sixteenth of the smallest diameter")
+        .above_zero();
+    app.flag("--box", options->box,
+             "of stl: what of the packing and its images lies in the box that repeats, closed at its faces; "
+             "default: each sphere once and whole");
   };
   command.run = [options](Console console) {
+    require_solid_options_fit(*options);
     remark_on_older_checkpoint(options->source, console.err);
-    const std::string out =
-        options->out.empty() ? "packing" + std::string(extension_of(options->format)) : options->out;
+    const SolidFormat* solid = solid_of(options->format);
+    const std::string extension =
+        solid ? std::string(solid->extension) : std::string(extension_of(options->format));
+    const std::string out = options->out.empty() ? "packing" + extension : options->out;
     const Packing packing = packing_source(options->source, options->frame).packing;
-    write_packing(packing, options->format, out);
-    remark_on_losses(packing, options->format, console.err);
+    make_folder_of(out);
+    if (solid)
+      solid->write(*options, packing, out, console);
+    else
+      export_packing(options->format, packing, out, console);
     console.out << out << '\n';
     return ExitCode::done;
   };

@@ -81,6 +81,7 @@ Command import_command() {
     describe(packing, console);
     if (options->out.empty()) return ExitCode::done;
     const std::string_view format = format_by_extension(options->out);
+    make_folder_of(options->out);
     write_packing(packing, format, options->out);
     remark_on_losses(packing, format, console.err);
     console.out << options->out << '\n';

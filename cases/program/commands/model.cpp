@@ -6,6 +6,7 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/figures/study.h"
+#include "cases/program/packing_source.h"
 #include "cases/program/table.h"
 #include "engine/base/require.h"
 #include "engine/statistics/furnas_model.h"
@@ -77,7 +78,9 @@ Command model_command() {
                                  value.high);
     const Table table = table_of(model, options->step);
     console.out << '\n' << table.aligned();
-    if (!options->out.empty()) write_file(options->out, table.csv());
+    if (options->out.empty()) return ExitCode::done;
+    make_folder_of(options->out);
+    write_file(options->out, table.csv());
     return ExitCode::done;
   };
   return command;

@@ -66,6 +66,8 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   picture.width = picture.height = options.size;
   picture.style = styles.at(options.style);
   picture.colouring = colourings.at(options.colour);
+  // The block of Fig. 1a has its colours explained where it is shown.
+  if (picture.style == PictureStyle::block && picture.colouring == Colouring::species) picture.key = false;
   const Times times = parse_times(options.times);
   for (std::size_t k = 0; k < 3; ++k) picture.times[k] = static_cast<int>(times[k]);
   if (picture.style == PictureStyle::chains && copies_of(times) > 1)
@@ -115,7 +117,7 @@ void render_turning(const Options& options, const PackingSource& source, Console
   for (int n = 0; n < options.turning; ++n) {
     picture.turn = options.picture.turn + 360.0 * n / options.turning;
     const fs::path file = numbered(options.out, n);
-    render_png(source.packing, file, picture);
+    render_picture(source.packing, file, picture);
     console.out << file.string() << std::endl;
   }
   film(options.out, console);
@@ -126,19 +128,25 @@ void render_compaction(const Options& options, Console console) {
   const fs::path folder = options.source;
   if (!fs::exists(folder / "frames.pvd"))
     throw InputError(options.source +
-                     ": no frames.pvd in it; a run with output.snapshot_every > 0 writes one");
+                     ": no frames.pvd in it; a run with output.snapshot_phi or output.snapshot_every above 0 "
+                     "writes one");
   PictureOptions picture;
   int n = 0;
-  for (const SavedFrame& frame : read_frames(folder / "frames.pvd")) {
-    const PackingSource source = drawn_source((folder / frame.file).string(), options);
+  double drawn = -1;  // time of the last one
+  const auto draw = [&](const PackingSource& source) {
+    if (source.packing.time <= drawn) return;
+    drawn = source.packing.time;
     if (n == 0) {
       picture = picture_of(options, source);
       picture.room = room_of(source.packing, picture.times);
     }
     const fs::path file = numbered(options.out, n++);
-    render_png(source.packing, file, picture);
+    render_picture(source.packing, file, picture);
     console.out << file.string() << std::endl;
-  }
+  };
+  for (const SavedFrame& frame : read_frames(folder / "frames.pvd"))
+    draw(drawn_source((folder / frame.file).string(), options));
+  draw(drawn_source(options.source, options));  // where the run stands
   film(options.out, console);
 }
 
@@ -152,12 +160,14 @@ Command render_command() {
   command.example = "furnas render runs/first_packing --out chains.png --style chains";
   command.setup = [options](CommandLine& app) {
     PictureOptions& picture = options->picture;
+    picture.key = true;
     add_packing_source(app, options->source, options->frame);
-    app.add("--out", options->out, "PNG file").showing_default();
+    app.add("--out", options->out, "PNG or JPEG file, by its extension; its folder is made")
+        .showing_default();
     app.add("--style", options->style,
             "fig1a: a solid block of spheres (default); chains: contacts as tubes, by their force")
         .one_of(names_of(styles));
-    app.add("--colour", options->colour, "what the colour of a sphere says (default: species)")
+    app.add("--colour,--color", options->colour, "what the colour of a sphere says (default: species)")
         .one_of(names_of(colourings));
     app.add("--size", options->size, "edge of the picture in pixels").between(16, 16384).showing_default();
     app.add("--times", options->times, "repeat the cell along its edges, e.g. 10x10x10").showing_default();
@@ -167,13 +177,19 @@ Command render_command() {
                                      "so many numbered pictures once around, and a film if ffmpeg is there")
                                  .between(2, 9999);
     app.flag("--compaction", options->compaction,
-             "a numbered picture of each frame of a run (output.snapshot_every), and a film")
+             "a numbered picture of each frame of a run (output.snapshot_phi or output.snapshot_every) and "
+             "of its "
+             "end, and a film")
         .excludes(turning);
+    app.flag(
+        "--no-key", [&picture] { picture.key = false; }, "do not draw what the colours mean");
     app.flag("--transparent", picture.transparent, "no background instead of a white one");
     app.flag(
         "--no-cell", [&picture] { picture.cell = false; }, "leave out the edges of the periodic cell");
   };
   command.run = [options](Console console) {
+    require_picture_file(options->out, options->picture.transparent);
+    make_folder_of(options->out);
     if (options->compaction) {
       render_compaction(*options, console);
       return ExitCode::done;
@@ -185,7 +201,11 @@ Command render_command() {
       return ExitCode::done;
     }
     const PictureOptions picture = picture_of(*options, source);
-    render_png(source.packing, options->out, picture);
+    console.err << fmt::format("draws {} spheres, {} x {} pixels\n",
+                               source.packing.size() * copies_of(parse_times(options->times)), picture.width,
+                               picture.height)
+                << std::flush;
+    render_picture(source.packing, options->out, picture);
     console.out << options->out << '\n' << key_of(source.packing, picture) << '\n';
     return ExitCode::done;
   };

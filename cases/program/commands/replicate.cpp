@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/packing_source.h"
 #include "cases/program/replication.h"
 #include "io/formats.h"
 
@@ -39,6 +40,7 @@ Command replicate_command() {
       source.packing.contacts.clear();
       source.packing.order.clear();
     }
+    make_folder_of(options->out);
     write_replicate(source, times, options->out);
     if (std::filesystem::path(options->out).extension() != ".checkpoint")
       remark_on_losses(source.packing, format_by_extension(options->out), console.err);

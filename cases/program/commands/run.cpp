@@ -27,7 +27,7 @@ struct Options {
 /// Placing 2.6e7 spheres takes a minute, before there is any progress to show.
 void announce_start(const Case& c, Console console) {
   constexpr double many = 1e6;
-  if (!c.start.file.empty()) return;
+  if (!c.start.file.empty() || !c.mixture.diameters.empty()) return;
   const Mixture mixture = mixture_of(c);
   const double spheres = static_cast<double>(mixture.large) + small_count(mixture);
   if (spheres >= many) console.err << fmt::format("places {:.0f} spheres at random\n", spheres) << std::flush;

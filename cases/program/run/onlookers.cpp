@@ -1,6 +1,5 @@
 #include "cases/program/run/onlookers.h"
 
-#include "cases/program/run/progress.h"
 #include "engine/events/limits.h"
 
 namespace furnas {
@@ -50,10 +49,10 @@ Onlookers onlookers_of(RunContext& run) {
   const Case& c = run.resolved_case;
   Onlookers o;
   o.before_verdict.push_back(std::make_unique<RecordHistory>(run.folder, c.output.history_every));
-  if (c.output.snapshot_every > 0)
-    o.before_verdict.push_back(std::make_unique<RecordFrame>(run.folder, c.output.snapshot_every));
-  o.after_verdict.push_back(
-      std::make_unique<Progress>(run.out, run.live, run.watch, run.first_step, c.stop.steps));
+  if (c.output.snapshot_every > 0 || c.output.snapshot_phi > 0)
+    o.before_verdict.push_back(std::make_unique<RecordFrame>(
+        run.folder, FrameRhythm{c.output.snapshot_every, c.output.snapshot_phi}));
+  o.after_verdict.push_back(std::make_unique<Progress>(run.lines, run.watch, run.first_step, c.stop.steps));
   o.after_verdict.push_back(std::make_unique<SaveCheckpoint>(run.save, c.output.checkpoint_minutes,
                                                              run.requests.save, run.requests.attention));
   if (run.deadline)

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
 #include <optional>
 
+#include "cases/program/run/progress.h"
 #include "cases/program/run/recording.h"
 #include "cases/program/run/signals.h"
 #include "engine/protocol/schedule.h"
@@ -20,8 +20,7 @@ struct RunContext {
   std::function<void()> save;                                     ///< writes all that the run needs to go on
   std::int64_t first_step{};                                      ///< where this process begins
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
-  std::ostream& out;                                              ///< for progress
-  bool live{};                                                    ///< `out` is a terminal
+  LiveLines& lines;                                               ///< for progress
   Requests& requests;
   RestWatch& watch;
   Checkpoints& checkpoints;

@@ -1,10 +1,38 @@
 #include "cases/program/run/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <ostream>
 
 namespace furnas {
+namespace {
+
+/// Letters in a line of the terminal; a longer line would break, and could not be renewed.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+const char* word(Trend trend) {
+  switch (trend) {
+    case Trend::falls:
+      return " falls";
+    case Trend::stands:
+      return " stands";
+    case Trend::rises:
+      return " rises";
+    case Trend::unknown:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
 
 std::string duration_text(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
@@ -13,49 +41,101 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} d", seconds / 86400);
 }
 
-Progress::Progress(std::ostream& out, bool live, RestWatch& watch, std::int64_t first_step,
-                   std::int64_t last_step)
-    : out_(out), live_(live), watch_(watch), first_step_(first_step), last_step_(last_step) {}
-
-bool Progress::due(Observation&) {
-  const double seconds = std::chrono::duration<double>(Clock::now() - shown_).count();
-  return seconds >= (live_ ? 0.5 : 10.0);
+std::string left_text(const std::optional<StepsLeft>& left, double most, double rate) {
+  const std::string cap = "at most " + duration_text(most / rate);
+  const auto time = [&](double steps) { return duration_text(std::min(steps, most) / rate); };
+  if (!left) return "time left not known yet, " + cap;
+  if (left->likely >= most) return fmt::format("left {} or more, {}", time(left->low), cap);
+  if (left->high >= most)
+    return fmt::format("left about {} ({} or more), {}", time(left->likely), time(left->low), cap);
+  return fmt::format("left about {} ({} to {}), {}", time(left->likely), time(left->low), time(left->high),
+                     cap);
 }
 
-std::string Progress::line(Observation& now) const {
+void LiveLines::show(const std::vector<std::string>& parts) {
+  clear();
+  constexpr const char* between = "   ";
+  const std::size_t width = terminal_width() - 1;
+  std::size_t used = 0;
+  for (const std::string& part : parts) {
+    const bool fits = used == 0 || !live_ || used + 3 + part.size() <= width;
+    if (used > 0) out_ << (fits ? between : "\n");
+    if (live_ && (shown_ == 0 || !fits)) ++shown_;
+    used = fits && used > 0 ? used + 3 + part.size() : part.size();
+    out_ << (live_ ? part.substr(0, width) : part);
+  }
+  out_ << (live_ ? "" : "\n") << std::flush;
+}
+
+void LiveLines::say(const std::string& line) {
+  clear();
+  out_ << line << '\n' << std::flush;
+}
+
+void LiveLines::clear() {
+  if (shown_ > 1) out_ << "\033[" << shown_ - 1 << 'A';
+  if (shown_ > 0) out_ << "\r\033[J" << std::flush;
+  shown_ = 0;
+}
+
+bool Progress::due(Observation& now) {
+  const Model& model = now.simulation().model();
+  if (!forecast_) forecast_.emplace(watch_.criteria(), watch_.window_length(), !has_friction(model.law));
+  if (model.barostat.pressure != pressure_) forecast_->clear();
+  pressure_ = model.barostat.pressure;
+  if (model.barostat.freedom != CellFreedom::fixed) forecast_->add(now.step(), watch_.report());
+  const double seconds = std::chrono::duration<double>(Clock::now() - shown_).count();
+  return seconds >= (lines_.live() ? 0.5 : 10.0);
+}
+
+std::string Progress::state(Observation& now, double seconds) const {
   const Measures& m = now.measures();
   const Model& model = now.simulation().model();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const auto steps = static_cast<double>(m.step - first_step_);
-  const double rate = steps / seconds;
+  const double rate = static_cast<double>(m.step - first_step_) / seconds;
   std::string text = fmt::format("step {}  phi {:.5f}  ", m.step, m.phi);
   if (model.barostat.freedom == CellFreedom::fixed)
     text += fmt::format("p {:.3e}  ", m.pressure);
   else
     text += fmt::format("p/p_a {:.4f}  ", m.pressure / model.barostat.pressure);
-  text += fmt::format("KE {:.1e}  ", m.kinetic_energy);
-  const RestReport& rest = watch_.report();
-  if (std::isfinite(rest.strain_drift)) text += fmt::format("drift {:.1e}  ", rest.strain_drift);
-  if (!rest.waiting_for.empty()) text += fmt::format("waits for {}  ", rest.waiting_for);
   text += fmt::format("{:.1f} Mps  ", rate * static_cast<double>(now.packing().size()) / 1e6);
-  text += fmt::format("at most {} left", duration_text(static_cast<double>(last_step_ - m.step) / rate));
-  return text;
+  return text + left_text(forecast_->left(), static_cast<double>(last_step_ - m.step), rate);
+}
+
+/// Each beside its limit.
+std::vector<std::string> Progress::criteria() const {
+  const RestReport& report = watch_.report();
+  const RestCriteria& limits = watch_.criteria();
+  struct Criterion {
+    const char* name;
+    double value, limit;
+  };
+  const std::array<Criterion, Forecast::criteria> all{
+      {{"stress", report.stress_error, limits.stress_error},
+       {"balance", report.force_imbalance, limits.force_imbalance},
+       {"energy", report.kinetic_energy, limits.kinetic_energy},
+       {"drift", report.strain_drift, limits.strain_drift}}};
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto& [name, value, limit] = all[k];
+    if (!std::isfinite(value) || (limits.kinetic_energy_alone && k != 2)) continue;
+    const std::string text = fmt::format("{} {:.1e}", name, value);
+    texts.push_back(value < limit
+                        ? fmt::format("{} within {:.0e}", text, limit)
+                        : fmt::format("{}{}, needs {:.0e}", text, word(forecast_->trend(k)), limit));
+  }
+  if (report.waiting_for == "the window") texts.emplace_back("all must stay so for a window of time");
+  return texts;
 }
 
 std::optional<Verdict> Progress::fire(Observation& now) {
   shown_ = Clock::now();
-  if (live_) {
-    out_ << '\r' << line(now) << "\033[K" << std::flush;
-    on_line_ = true;
-  } else {
-    out_ << line(now) << '\n' << std::flush;
-  }
+  if (!explained_)
+    lines_.say("Mps: million particle-steps a second; time left: from the trends of the criteria of rest");
+  explained_ = true;
+  std::vector<std::string> parts = criteria();
+  parts.insert(parts.begin(), state(now, std::chrono::duration<double>(shown_ - start_).count()));
+  lines_.show(parts);
   return {};
-}
-
-void Progress::finish() {
-  if (on_line_) out_ << "\r\033[K" << std::flush;
-  on_line_ = false;
 }
 
 }  // namespace furnas

@@ -2,40 +2,70 @@
 
 #include <chrono>
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cases/program/run/forecast.h"
 #include "engine/events/at_rest.h"
 
 namespace furnas {
 
-/// Shows how a run goes on: one line that is renewed on a terminal, plain lines elsewhere.
+/// Lines that are renewed on a terminal, and plain lines elsewhere.
+class LiveLines {
+ public:
+  /// `live` means a terminal.
+  LiveLines(std::ostream& out, bool live) : out_(out), live_(live) {}
+
+  /// Puts these in the place of the last ones; elsewhere all parts make one line.
+  void show(const std::vector<std::string>& parts);
+  /// A line that stays.
+  void say(const std::string& line);
+  /// Takes the live lines away.
+  void clear();
+
+  bool live() const { return live_; }
+
+ private:
+  std::ostream& out_;
+  bool live_;
+  std::size_t shown_ = 0;  ///< lines on the terminal now
+};
+
+/// Shows how a run goes on: where it stands and what it may still take, and how the criteria of rest stand to
+/// their limits.
 class Progress final : public Event {
  public:
-  /// `last_step` is where the budget ends; `live` means a terminal.
-  Progress(std::ostream& out, bool live, RestWatch& watch, std::int64_t first_step, std::int64_t last_step);
+  using Clock = std::chrono::steady_clock;
+
+  /// `last_step` is where the budget ends.
+  Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step)
+      : lines_(lines), watch_(watch), first_step_(first_step), last_step_(last_step) {}
   const char* name() const override { return "progress"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 1000); }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
 
-  /// Ends the live line.
-  void finish();
-
  private:
-  using Clock = std::chrono::steady_clock;
-  std::string line(Observation& now) const;
+  std::string state(Observation& now, double seconds) const;
+  std::vector<std::string> criteria() const;
 
-  std::ostream& out_;
-  bool live_;
+  LiveLines& lines_;
   RestWatch& watch_;
   std::int64_t first_step_;
   std::int64_t last_step_;
+  std::optional<Forecast> forecast_;
+  double pressure_ = 0;  ///< of the bath at the last look
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
-  bool on_line_ = false;
+  bool explained_ = false;
 };
 
 /// "3 s", "12 min", "2.5 h", "3.1 d".
 std::string duration_text(double seconds);
+
+/// What a forecast means at `rate` steps a second when the budget ends after `most` steps: "left about 12 s
+/// (6 s to 30 s), at most 40 min".
+std::string left_text(const std::optional<StepsLeft>& left, double most, double rate);
 
 }  // namespace furnas

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -38,8 +39,32 @@ std::optional<Verdict> RecordHistory::fire(Observation& now) {
   return {};
 }
 
+std::int64_t RecordFrame::next(std::int64_t step) const {
+  constexpr std::int64_t look = 10;  // phi costs nothing to look at
+  if (frames_.empty() && step == 0) return step;
+  if (rhythm_.steps == 0) return next_multiple(step, look);
+  const std::int64_t by_steps = next_multiple(step, rhythm_.steps);
+  return rhythm_.phi > 0 ? std::min(by_steps, next_multiple(step, look)) : by_steps;
+}
+
+/// How many times rhythm_.phi the packing fraction is, rounded down.
+std::int64_t RecordFrame::multiple_below(Observation& now) {
+  constexpr double rounding = 1e-9;  // so that 0.3 is three times 0.1
+  if (sphere_volume_ == 0) sphere_volume_ = now.packing().sphere_volume();
+  const double phi = sphere_volume_ / now.simulation().cell().volume();
+  return static_cast<std::int64_t>(std::floor(phi / rhythm_.phi + rounding));
+}
+
+bool RecordFrame::due(Observation& now) {
+  if (frames_.empty()) return true;
+  if (rhythm_.steps > 0 && now.step() % rhythm_.steps == 0) return true;
+  return rhythm_.phi > 0 && multiple_below(now) > highest_;
+}
+
 std::string RecordFrame::saved() {
-  return frames_.empty() ? std::string() : to_text(mark_of(frames_text(frames_)));
+  if (frames_.empty()) return {};
+  const std::string mark = to_text(mark_of(frames_text(frames_)));
+  return rhythm_.phi > 0 ? fmt::format("{}\n{}", mark, highest_) : mark;
 }
 
 void RecordFrame::restore(const std::string& saved) {
@@ -48,7 +73,9 @@ void RecordFrame::restore(const std::string& saved) {
   if (saved.empty()) {
     std::filesystem::remove(collection);
   } else {
-    const FileMark mark = parse_mark(saved);
+    const std::size_t end = saved.find('\n');
+    const FileMark mark = parse_mark(saved.substr(0, end));
+    if (end != saved.npos) highest_ = saved_count(saved.substr(end + 1));
     frames_ = read_frames(collection);
     while (frames_text(frames_).size() > mark.bytes && !frames_.empty()) frames_.pop_back();
     const std::string text = frames_text(frames_);
@@ -78,6 +105,7 @@ std::optional<Verdict> RecordFrame::fire(Observation& now) {
   const std::string file = frame_file(frames_.size());
   make_frames_folder();
   write_vtp(now.packing(), folder_ / file);
+  if (rhythm_.phi > 0) highest_ = std::max(highest_, multiple_below(now));
   frames_.push_back({now.packing().time, file});
   write_file(folder_ / "frames.pvd", frames_text(frames_));
   return {};

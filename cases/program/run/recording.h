@@ -33,13 +33,20 @@ class RecordHistory final : public Event {
   std::optional<History> history_;  ///< from restore() on
 };
 
-/// Writes a frame for ParaView every so many steps and keeps frames.pvd in step.
+/// When frames are taken besides the start; 0: not by that.
+struct FrameRhythm {
+  std::int64_t steps{};  ///< from one frame to the next
+  double phi{};          ///< at its multiples, each when phi first exceeds it
+};
+
+/// Writes frames for ParaView, the start among them, and keeps frames.pvd in step.
 class RecordFrame final : public Event {
  public:
-  RecordFrame(std::filesystem::path folder, std::int64_t period)
-      : folder_(std::move(folder)), period_(period) {}
+  RecordFrame(std::filesystem::path folder, FrameRhythm rhythm)
+      : folder_(std::move(folder)), rhythm_(rhythm) {}
   const char* name() const override { return "frame"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, period_); }
+  std::int64_t next(std::int64_t step) const override;
+  bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
   std::string saved() override;
   void restore(const std::string& saved) override;
@@ -47,10 +54,13 @@ class RecordFrame final : public Event {
  private:
   void remove_later_frames() const;
   void make_frames_folder() const;
+  std::int64_t multiple_below(Observation& now);
 
   std::filesystem::path folder_;
-  std::int64_t period_;
-  std::vector<SavedFrame> frames_;
+  FrameRhythm rhythm_;
+  double sphere_volume_ = 0;        ///< of all spheres [d_s^3]; 0: not asked yet
+  std::int64_t highest_ = 0;        ///< multiple of rhythm_.phi that phi has exceeded at a frame
+  std::vector<SavedFrame> frames_;  ///< so far
 };
 
 /// The two checkpoints of a run, written in turn, so that one good one always stays.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <numeric>
 #include <ostream>
 
 #include "cases/program/build_info.h"
@@ -48,12 +49,11 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
 }
 
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
-  if (c.output.picture == "none") return;
   PictureOptions options;
   options.width = options.height = c.output.picture_size;
   options.transparent = c.output.background == "transparent";
   try {
-    render_png(packing, folder / "packing.png", options);
+    render_picture(packing, folder / "packing.png", options);
   } catch (const std::exception& error) {
     // The numbers are safe by now; a machine without OpenGL costs the picture alone.
     console.err << "furnas: no picture: " << error.what() << '\n';
@@ -79,13 +79,13 @@ class Run {
   const std::filesystem::path folder_;
   const Case& case_;
   Console console_;
+  LiveLines lines_{console_.err, isatty(STDERR_FILENO) == 1};
   std::string case_text_;
   Requests requests_;
   SignalGuard guard_{requests_};
   const std::int64_t first_step_;  ///< where this process begins
   std::unique_ptr<ProtocolRun> run_;
   Checkpoints checkpoints_;
-  Progress* progress_ = nullptr;  ///< among the events of the run
   std::optional<Verdict> ended_;
 };
 
@@ -116,8 +116,7 @@ Onlookers Run::onlookers() {
                      .save = [this] { checkpoints_.write(whole()); },
                      .first_step = first_step_,
                      .deadline = {},
-                     .out = console_.err,
-                     .live = isatty(STDERR_FILENO) == 1,
+                     .lines = lines_,
                      .requests = requests_,
                      .watch = run_->watch(),
                      .checkpoints = checkpoints_};
@@ -127,10 +126,7 @@ Onlookers Run::onlookers() {
 
 /// Puts the files of the folder where the run stands.
 void Run::take_up() {
-  Onlookers onlookers = this->onlookers();
-  for (const auto& event : onlookers.after_verdict)
-    if (auto* progress = dynamic_cast<Progress*>(event.get())) progress_ = progress;
-  run_->begin(std::move(onlookers));
+  run_->begin(onlookers());
   write_file(folder_ / "case.resolved.toml", case_text_);
   // Whatever happens, there is a good state to go back to.
   if (order_.checkpoint.empty()) checkpoints_.write(whole());
@@ -163,7 +159,9 @@ Result Run::result_of(const Outcome& outcome) {
   for (Species s : now.packing().species) ++(s == Species::large ? result.large : result.small);
   result.polydisperse = is_polydisperse(now.packing());
   const auto& radii = now.packing().radius;
-  result.largest_diameter = 2 * *std::max_element(radii.begin(), radii.end());
+  result.sizes = sizes_of(radii);
+  result.mean_diameter =
+      2 * std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
   const Model& model = run_->simulation().model();
   result.time_step = model.time_step;
   result.pressure = model.barostat.pressure;
@@ -176,9 +174,15 @@ Result Run::result_of(const Outcome& outcome) {
 }
 
 void Run::write_files(const Packing& packing, const Outcome& outcome, const Result& result) {
+  constexpr std::size_t many = 100'000;  // from here on writing takes seconds
+  if (packing.size() >= many) lines_.show({"writes the files of " + folder_.string()});
   write_outputs({case_, packing, result}, folder_);
   write_file(folder_ / "log.txt", summary(result, case_, folder_));
-  if (outcome.verdict != Verdict::diverged) draw(packing, case_, folder_, console_);
+  if (outcome.verdict != Verdict::diverged && case_.output.picture != "none") {
+    lines_.show({fmt::format("draws packing.png, {0} x {0} pixels", case_.output.picture_size)});
+    draw(packing, case_, folder_, console_);
+  }
+  lines_.clear();
   const BuildInfo& build = build_info();
   write_manifest(folder_, fmt::format("furnas {}, {}, {}", build.version, build.compiler, build.type));
 }
@@ -187,7 +191,7 @@ ExitCode Run::go() {
   if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
   take_up();
   const Outcome end = ended_ ? Outcome{*ended_, {}} : run_->go(&requests_.attention);
-  progress_->finish();
+  lines_.clear();
   const bool moved = order_.checkpoint.empty() || run_->now().step() > first_step_;
   if (end.verdict == Verdict::jammed || end.verdict == Verdict::settled) ended_ = end.verdict;
   if (end.is_sound && moved) checkpoints_.write(whole());
@@ -262,15 +266,19 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
         r.phi_bound);
   else
     text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
-  text +=
-      fmt::format("Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts\n",
-                  m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
+  text += fmt::format(
+      "Z         {:.3f} with rattlers, {:.3f} in the backbone of {} particles and {} contacts (live contacts "
+      "only)\n",
+      m.coordination, backbone.coordination, backbone.backbone, backbone.contacts);
   text += fmt::format(
       "rattlers  {} (fewer than {} live contacts)\n",
       r.has_species()
           ? fmt::format("{} of {} large, {} of {} small", backbone.large, r.large, backbone.small, r.small)
           : fmt::format("{} of {}", backbone.large + backbone.small, r.large + r.small),
       m.backbone_threshold);
+  if (r.polydisperse)
+    text += fmt::format("sizes     {}, diameters from {:.4g} to {:.4g} d_s, mean {:.4g}\n", r.sizes.count,
+                        r.sizes.smallest, r.sizes.largest, r.mean_diameter);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
                       remark_on_thickness(r.thickness()));
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,

@@ -18,6 +18,7 @@
 #include "io/case_schema.h"
 #include "io/case_words.h"
 #include "io/csv.h"
+#include "io/diameters_file.h"
 
 namespace furnas {
 namespace {
@@ -41,6 +42,8 @@ double expected_steps(const Case& c, double particles) {
 
 double particles_of(const Case& c) {
   if (!c.start.file.empty()) return static_cast<double>(start_of(c).size());
+  if (!c.mixture.diameters.empty())
+    return static_cast<double>(read_diameters(c.mixture.diameters).diameters.size());
   return static_cast<double>(c.mixture.large) + small_count(mixture_of(c));
 }
 

@@ -23,6 +23,7 @@ Names names_of(const Events& events) {
 Names events_of(const Case& c, bool walltime = false) {
   const TemporaryFolder folder;
   std::ostringstream out;
+  LiveLines lines(out, false);
   Requests requests;
   const Protocol protocol = protocol_of(c);
   RestWatch watch(protocol.rest, Rhythm(0.02));
@@ -33,8 +34,7 @@ Names events_of(const Case& c, bool walltime = false) {
                  .save = [] {},
                  .first_step = 0,
                  .deadline = {},
-                 .out = out,
-                 .live = false,
+                 .lines = lines,
                  .requests = requests,
                  .watch = watch,
                  .checkpoints = checkpoints};

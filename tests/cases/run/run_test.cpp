@@ -154,8 +154,21 @@ TEST(Run, WritesItsHistoryAndFrames) {
   const std::string history = content(runs.path("a/history.csv"));
   EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 11);
   const auto frames = read_frames(runs.path("a/frames.pvd"));
-  ASSERT_EQ(frames.size(), 3u);
+  ASSERT_EQ(frames.size(), 4u) << "the start is the first";
+  EXPECT_EQ(frames[0].time, 0);
   for (const SavedFrame& frame : frames) EXPECT_EQ(read_packing(runs.path("a/" + frame.file)).size(), 100u);
+}
+
+TEST(Run, TakesFramesAtEqualStepsOfPhi) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=4000", "output.snapshot_phi=0.05"}).code, ExitCode::budget_spent);
+  const auto frames = read_frames(runs.path("a/frames.pvd"));
+  ASSERT_GE(frames.size(), 5u);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const double phi = read_packing(runs.path("a/" + frames[k].file)).fraction_filled();
+    EXPECT_GE(phi, 0.2 + 0.05 * static_cast<double>(k) - 1e-9);
+    EXPECT_LT(phi, 0.2 + 0.05 * static_cast<double>(k) + 0.01) << "ten steps later at most";
+  }
 }
 
 /// A case that cannot be used leaves nothing behind, whatever is wrong with it.

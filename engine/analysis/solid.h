@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/state/packing.h"
+
+namespace furnas {
+
+/// A sphere of a solid [d_s].
+struct Ball {
+  Vec3<double> centre;
+  double radius{};
+};
+
+/// The union of spheres, and the box in which it is looked at [d_s].
+struct Solid {
+  Vec3<double> low, high;   ///< corners of the box
+  std::vector<Ball> balls;  ///< the one that begins lowest along z first
+};
+
+/// Every sphere once and whole, at its place in the cell, in the box that just holds them all.
+Solid whole_solid(const Packing& packing);
+
+/// The box from 0 to (xx, yy, zz), the diagonal of the cell's edges, with every image of a sphere that comes
+/// within `margin` of it. The box has the volume of the cell and repeats as the packing does: along x; along
+/// y with a shift of xy in x; along z with one of xz in x and yz in y.
+Solid periodic_solid(const Packing& packing, double margin = 0);
+
+/// Points on a rectangular grid [d_s].
+struct PointGrid {
+  Vec3<double> first, spacing;
+  std::array<std::int64_t, 3> points{};  ///< along x, y, z
+
+  std::int64_t in_a_plane() const { return points[0] * points[1]; }
+};
+
+/// The middles of the voxels into which the box of a solid is divided: whole ones, as near to cubes of this
+/// edge as that allows. Throws InputError unless 0 < edge, and for more than 2^40 voxels.
+PointGrid voxel_grid(const Solid& solid, double edge);
+
+/// Says of the points of a grid where they are in a solid, plane by plane upwards along z: of the solid, only
+/// what reaches into a plane is looked at.
+class SolidPlanes {
+ public:
+  /// `reach`: distances from the surface are told up to it [d_s]. Solid and grid are to live as long.
+  SolidPlanes(const Solid& solid, const PointGrid& grid, double reach = 0)
+      : solid_(solid), grid_(grid), reach_(reach) {}
+
+  /// 1 for each point of the next plane that lies in a sphere, 0 for the others; x runs fastest.
+  void next_inside(std::span<std::uint8_t> plane);
+
+  /// Distance of each point of the next plane from the surface of the nearest sphere, negative in it; `reach`
+  /// where it is larger [d_s].
+  void next_distances(std::span<float> plane);
+
+ private:
+  double advance();
+  template <class Row>
+  void for_each_row(double height, Row&& row) const;
+
+  const Solid& solid_;
+  const PointGrid& grid_;
+  double reach_;
+  std::int64_t plane_ = 0;
+  std::size_t begun_ = 0;             // balls that begin at or below the plane
+  std::vector<const Ball*> reached_;  // those that reach into it
+};
+
+}  // namespace furnas

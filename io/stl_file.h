@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+
+#include "engine/base/vec3.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+
+/// A binary STL file, triangle by triangle.
+class StlFile {
+ public:
+  static constexpr std::uint64_t bytes_of_head = 84, bytes_of_triangle = 50;
+
+  /// Throws OutputError.
+  explicit StlFile(const std::filesystem::path& path);
+
+  /// Corners [d_s], counter-clockwise as seen from outside. One of which two corners are the same number is
+  /// no triangle and is left out. Throws OutputError, and InputError for more than 2^32 - 1.
+  void add(const std::array<Vec3<float>, 3>& corners);
+
+  std::uint32_t triangles() const { return count_; }
+
+  /// Makes the file durable; throws OutputError.
+  void commit();
+
+ private:
+  AtomicFile file_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace furnas
