@@ -16,8 +16,8 @@ namespace furnas {
 namespace {
 
 /// The packing at rest in its cell, with velocities but without histories: as a LAMMPS data file has it.
-Packing start_from(const std::string& source) {
-  Packing start = packing_from(source);
+Packing start_from(const PeersOrder& order) {
+  Packing start = packing_source(order.source, order.frame).packing;
   start.cell.rate = {};
   start.order.clear();
   start.contacts.clear();
@@ -37,7 +37,7 @@ class Match {
   Match(const PeersOrder& order, Console console)
       : order_(order),
         console_(console),
-        start_(start_from(order.source)),
+        start_(start_from(order)),
         legacy_(model_for({"hooke_history", order.model.friction, order.model.precision}, start_)),
         lammps_(order.folder, start_, legacy_, order.ranks) {}
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +14,9 @@ namespace furnas {
 
 /// What to compare with LAMMPS.
 struct PeersOrder {
-  std::string source;            ///< a packing, or the folder of a run
-  std::filesystem::path folder;  ///< where LAMMPS works
+  std::string source;                 ///< a packing, or the folder of a run
+  std::optional<std::int64_t> frame;  ///< of a file with several; the last
+  std::filesystem::path folder;       ///< where LAMMPS works
   ModelChoice model{.law = "hooke_history"};
   std::int64_t steps = 2000;                                ///< of each run
   int pairs = 5;                                            ///< runs of each program, in turn

@@ -84,7 +84,7 @@ void declare_error(CommandLine& bench, Options& o) {
 void declare_peers(CommandLine& bench, Options& o) {
   o.peers = bench.subcommand("peers", "the same packing through an installed LAMMPS, in turn");
   o.match.ranks = available_threads();
-  add_packing_source(*o.peers, o.match.source);
+  add_packing_source(*o.peers, o.match.source, o.match.frame);
   o.peers->add("--steps", o.match.steps, "length of a run").above_zero().showing_default();
   o.peers->add("--pairs", o.match.pairs, "runs of each program").above_zero().showing_default();
   o.peers->add("--law", o.match.model.law, "law of furnas; LAMMPS has hooke_history").showing_default();
