@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "engine/base/numbers.h"
-#include "engine/state/shorter_edges.h"
 #include "io/lammps_header.h"
+#include "io/lammps_tilt.h"
 #include "io/particle_rows.h"
 #include "io/species_type.h"
 #include "io/text_reader.h"
@@ -234,7 +234,7 @@ class DataReader {
   std::vector<VelocityRow> velocities_;
 };
 
-void write_as_it_is(const Packing& packing, const std::filesystem::path& path) {
+void write_data(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   const Triangle& h = packing.cell.edges;
   const Vec3<double>& corner = packing.labels.origin;
@@ -265,11 +265,7 @@ void write_as_it_is(const Packing& packing, const std::filesystem::path& path) {
 Packing read_lammps_data(const std::filesystem::path& path) { return DataReader(path).read(); }
 
 void write_lammps_data(const Packing& packing, const std::filesystem::path& path) {
-  constexpr double farthest_tilt = 0.5;  // LAMMPS refuses more
-  if (!is_tilted(packing.cell.edges, farthest_tilt)) return write_as_it_is(packing, path);
-  Packing shorter = packing;
-  shorten_edges(shorter, farthest_tilt);
-  write_as_it_is(shorter, path);
+  write_for_lammps(packing, [&](const Packing& p) { write_data(p, path); });
 }
 
 }  // namespace furnas

@@ -6,6 +6,7 @@
 
 #include "io/columns.h"
 #include "io/frames.h"
+#include "io/lammps_tilt.h"
 #include "io/particle_rows.h"
 #include "io/species_type.h"
 #include "io/text_reader.h"
@@ -194,22 +195,7 @@ class DumpReader {
   std::string name_column_;  ///< of the names of types; empty without one
 };
 
-}  // namespace
-
-std::vector<Packing> read_lammps_dump(const std::filesystem::path& path) {
-  DumpReader reader(path);
-  std::vector<Packing> frames;
-  while (auto frame = reader.next()) frames.push_back(std::move(*frame));
-  if (frames.empty()) reader.fail("there is no frame; expected 'ITEM: TIMESTEP'");
-  return frames;
-}
-
-Packing read_lammps_frame(const std::filesystem::path& path, std::optional<std::int64_t> frame) {
-  DumpReader reader(path);
-  return chosen_frame(reader, frame);
-}
-
-void write_lammps_dump(const Packing& packing, const std::filesystem::path& path) {
+void write_dump(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   const Triangle& h = packing.cell.edges;
   const Overhang over(h);
@@ -232,6 +218,25 @@ void write_lammps_dump(const Packing& packing, const std::filesystem::path& path
           packing.torque[k]);
   }
   file.commit();
+}
+
+}  // namespace
+
+std::vector<Packing> read_lammps_dump(const std::filesystem::path& path) {
+  DumpReader reader(path);
+  std::vector<Packing> frames;
+  while (auto frame = reader.next()) frames.push_back(std::move(*frame));
+  if (frames.empty()) reader.fail("there is no frame; expected 'ITEM: TIMESTEP'");
+  return frames;
+}
+
+Packing read_lammps_frame(const std::filesystem::path& path, std::optional<std::int64_t> frame) {
+  DumpReader reader(path);
+  return chosen_frame(reader, frame);
+}
+
+void write_lammps_dump(const Packing& packing, const std::filesystem::path& path) {
+  write_for_lammps(packing, [&](const Packing& p) { write_dump(p, path); });
 }
 
 }  // namespace furnas

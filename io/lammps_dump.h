@@ -21,7 +21,8 @@ std::vector<Packing> read_lammps_dump(const std::filesystem::path& path);
 Packing read_lammps_frame(const std::filesystem::path& path, std::optional<std::int64_t> frame = {});
 
 /// Writes one frame: id type mass radius xu yu zu vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz, after
-/// type an element where types have names. Throws OutputError.
+/// type an element where types have names. Of a cell that is tilted by more than half an edge, which LAMMPS
+/// refuses, shorter edges of the same lattice are written. Throws OutputError.
 void write_lammps_dump(const Packing& packing, const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -177,6 +177,17 @@ TEST(LammpsDump, TurnsAGeneralCellOfEitherHand) {
   }
 }
 
+/// 0.53 of an edge: read_dump says "Triclinic box skew is too large".
+TEST(LammpsDump, WritesNoTiltThatLammpsRefuses) {
+  const TemporaryFolder folder;
+  Packing p = random_packing(1);
+  p.cell.edges.xy = 0.53 * p.cell.edges.xx;
+  write_lammps_dump(p, folder / "a.dump");
+  const Packing q = read_lammps_frame(folder / "a.dump");
+  EXPECT_LE(std::abs(q.cell.edges.xy), 0.5 * q.cell.edges.xx);
+  expect_same_unwrapped(p, q, 1e-11);
+}
+
 TEST(LammpsDump, TakesTheLastFrameOrTheOneAskedFor) {
   const auto step = [](std::optional<std::int64_t> frame) {
     return read_lammps_frame(test_data("a3.nph.mu0.3.dump"), frame).step;
