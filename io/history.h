@@ -6,6 +6,7 @@
 
 #include "engine/state/measures.h"
 #include "io/append_file.h"
+#include "io/output_field.h"
 
 namespace furnas {
 
@@ -29,6 +30,9 @@ class History {
 
 /// Names of the columns.
 std::vector<std::string> history_columns();
+
+/// What they are.
+std::vector<OutputField> history_fields();
 
 /// The values of these columns of a history, row by row. Throws InputError.
 std::vector<std::vector<double>> read_history(const std::filesystem::path& path,

@@ -48,8 +48,11 @@ struct Result {
   std::optional<double> phi_J() const;
 };
 
-/// What is to be said of a cell so many of its largest diameters thick: below 3 spheres share their
-/// neighbours with their own images, and it does not stand for a large packing.
+/// Cells of fewer of their largest diameters are too thin: spheres share their neighbours with their own
+/// images, and the cell does not stand for a large packing.
+inline constexpr double least_thickness = 3;
+
+/// What is to be said of a cell so many of its largest diameters thick.
 const char* remark_on_thickness(double diameters);
 
 /// Writes result.json.

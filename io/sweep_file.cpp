@@ -95,12 +95,18 @@ void refuse_without_effect(std::string_view assignment, const SweepFile& sweep) 
 
 bool holds_sweep(const std::filesystem::path& file) { return read_table(file).contains(sweep_table); }
 
+SweepFile sweep_of_one_point(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return {read_case(file, overrides), {{{}, 1, file.string()}}};
+}
+
 SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::string> overrides) {
   const toml::table root = read_table(file);
   const std::string name = file.string();
   const toml::node* node = root.get(sweep_table);
   if (node == nullptr)
-    throw InputError(name + ": there is no [sweep] in it; allowed: a case with one (run takes it as it is)");
+    throw InputError(
+        name +
+        ": there is no [sweep] in it; allowed: a case with one, or --samples n, which runs it with n seeds");
   SweepFile sweep{case_in(root, file, overrides), {}};
   if (const toml::table* table = node->as_table()) sweep.grids.push_back(grid_of(*table, name, sweep.base));
   if (node->is_array_of_tables())

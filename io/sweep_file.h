@@ -39,4 +39,8 @@ bool holds_sweep(const std::filesystem::path& file);
 /// start.file of a grid lies beside the case file, too. Errors are those of read_case.
 SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
+/// A case without a sweep in it as one of a single point, of which a number of seeds may be asked for. Errors
+/// are those of read_case.
+SweepFile sweep_of_one_point(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
 }  // namespace furnas

@@ -188,7 +188,8 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
   const std::vector<Contact>& contacts = packing.contacts;
   const auto end = [&](std::size_t k) {
     const Contact& c = contacts[k / 2];
-    return k % 2 == 0 ? packing.position(c.i) : packing.position(c.i) - c.branch;
+    const Vec3<double> i = packing.position(c.i) + packing.labels.origin;
+    return k % 2 == 0 ? i : i - c.branch;
   };
   const auto each = [&](const char* name, auto value) {
     return data_array(name, contacts.size(),
@@ -197,8 +198,8 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
   write_poly_data(
       {.points = data_array("Points", 2 * contacts.size(), end),
        .points_of_a_cell = 2,
-       .of_cells = {each("i", [](const Contact& c) { return std::int64_t{c.i} + 1; }),
-                    each("j", [](const Contact& c) { return std::int64_t{c.j} + 1; }),
+       .of_cells = {each("i", [&](const Contact& c) { return packing.id(static_cast<std::size_t>(c.i)); }),
+                    each("j", [&](const Contact& c) { return packing.id(static_cast<std::size_t>(c.j)); }),
                     each("force", [](const Contact& c) { return c.force; }),
                     each("normal_force", normal_force), each("tangential_force", tangential_force),
                     each("overlap", [](const Contact& c) { return c.overlap; }),
@@ -208,7 +209,8 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
 
 void write_cell_vtp(const Packing& packing, const std::filesystem::path& path) {
   const std::vector<Vec3<double>> ends = ends_of_edges(packing.cell);
-  write_poly_data({.points = data_array("Points", ends.size(), [&](std::size_t k) { return ends[k]; }),
+  write_poly_data({.points = data_array("Points", ends.size(),
+                                        [&](std::size_t k) { return ends[k] + packing.labels.origin; }),
                    .points_of_a_cell = 2},
                   path);
 }

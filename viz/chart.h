@@ -23,7 +23,7 @@ struct ChartAxis {
 enum class LineStyle { none, solid, dashed, dotted };
 
 /// What stands at each point of a series.
-enum class Marker { none, circle, square, diamond, cross, plus };
+enum class Marker { none, circle, square, diamond, triangle, wedge, cross, plus };
 
 /// How far an error bar reaches along y, from its point.
 struct Bar {
@@ -39,6 +39,7 @@ struct Series {
   Colour colour = black;
   LineStyle line = LineStyle::solid;
   Marker marker = Marker::none;
+  std::vector<bool> open{};  ///< markers that are drawn hollow, for points to be doubted; empty: none
 };
 
 /// The outline of a histogram: n + 1 edges of bins, n heights. On a logarithmic axis an empty bin is a gap.
@@ -46,23 +47,23 @@ Series steps(std::string name, const std::vector<double>& edges, const std::vect
              const Colour& colour, LineStyle line = LineStyle::solid);
 
 /// Where the legend stands.
-enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right };
+enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right, outside };
 
 /// A diagram of y against x, for paper: black frame and text on white.
 struct Chart {
   std::string title;  ///< above; empty: none
   ChartAxis x, y;
   std::vector<Series> series;  ///< later ones are drawn over earlier ones
-  /// `automatic` takes the emptiest corner, and makes room above the data where none is empty and `y.high` is
-  /// free. Without names there is no legend.
+  /// `automatic` takes an empty corner, or makes room above the data if a little is enough and `y.high` is
+  /// free, or else takes `outside`, right of the frame. Without names there is no legend.
   LegendPlace legend = LegendPlace::automatic;
   int width = 1200;  ///< [pixels]
   int height = 900;  ///< [pixels]
 };
 
 /// The chart in pixels, smooth-edged. Needs no display. Throws InputError when there is no OpenGL or no such
-/// size, ContractError when x, y and bars of a series differ in length or the ends of an axis are in
-/// disorder.
+/// size, ContractError when x, y, bars and open of a series differ in length or the ends of an axis are
+/// in disorder.
 Pixels render(const Chart& chart);
 
 /// render, to a PNG file; throws OutputError when the file cannot be written.

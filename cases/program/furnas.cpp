@@ -22,6 +22,7 @@
   command(run)                   \
   command(resume)                \
   command(sweep)                 \
+  command(plot)                  \
   command(figures)               \
   command(model)                 \
   command(certify)               \

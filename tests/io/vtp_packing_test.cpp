@@ -54,6 +54,24 @@ TEST(VtpPacking, ContactsAreLinesAlongTheBranch) {
   EXPECT_EQ(file.numbers("CellData", "force", 1, 3), (std::vector<double>{3, 5, 4}));
 }
 
+TEST(VtpPacking, ContactsAndCellStandWhereTheParticlesDoAndNameThemAlike) {
+  const TemporaryFolder folder;
+  Packing p = random_packing(2, 2);
+  p.labels.origin = {10, 20, 30};
+  p.labels.id = {7, 9};
+  p.contacts.assign(1, {});
+  p.contacts[0].i = 1, p.contacts[0].j = 0;
+  write_contacts_vtp(p, folder / "contacts.vtp");
+  VtpReader file(folder / "contacts.vtp");
+  EXPECT_EQ(file.numbers("CellData", "i", 1, 1)[0], 9);
+  EXPECT_EQ(file.numbers("CellData", "j", 1, 1)[0], 7);
+  const std::vector<double> ends = file.numbers("Points", "Points", 2, 3);
+  EXPECT_EQ((Vec3<double>{ends[0], ends[1], ends[2]}), p.position(1) + p.labels.origin);
+  write_cell_vtp(p, folder / "cell.vtp");
+  const std::vector<double> corners = VtpReader(folder / "cell.vtp").numbers("Points", "Points", 24, 3);
+  EXPECT_EQ((Vec3<double>{corners[0], corners[1], corners[2]}), p.labels.origin);
+}
+
 TEST(VtpPacking, NoContactsMakeAFileAllTheSame) {
   const TemporaryFolder folder;
   Packing p = random_packing(2);

@@ -116,10 +116,31 @@ TEST(Chart, DrawsEachStyleDifferently) {
   EXPECT_NEAR(double(dashed) / double(solid), 4 / 6.5, 0.1);
   EXPECT_NEAR(double(dotted) / double(solid), 1.2 / 3, 0.15);
   EXPECT_EQ(ink(LineStyle::none, Marker::none), 0U);
-  for (const Marker marker : {Marker::circle, Marker::square, Marker::diamond})
+  for (const Marker marker :
+       {Marker::circle, Marker::square, Marker::diamond, Marker::triangle, Marker::wedge})
     EXPECT_GT(ink(LineStyle::none, marker), 15U) << int(marker);
   for (const Marker marker : {Marker::cross, Marker::plus})
     EXPECT_GT(ink(LineStyle::none, marker), 3U) << int(marker);
+}
+
+TEST(Chart, OpenMarkersAreHollow) {
+  Chart chart;
+  chart.width = 1000;
+  chart.height = 750;
+  chart.series = {{"", {0, 1, 2}, {0, 1, 2}, {}, blue, LineStyle::none}};
+  chart.series[0].open = {false, true, false};
+  for (const Marker marker :
+       {Marker::circle, Marker::square, Marker::diamond, Marker::triangle, Marker::wedge}) {
+    chart.series[0].marker = marker;
+    const Pixels picture = render(chart);
+    const std::size_t ink = pixels_of(picture, blue);
+    const Spot open = spot(chart, 1, 1), filled = spot(chart, 2, 2);
+    EXPECT_TRUE(looks(picture, open.x, open.y, {1, 1, 1})) << int(marker);
+    EXPECT_TRUE(looks(picture, filled.x, filled.y, blue)) << int(marker);
+    chart.series[0].open = {true, true, true};
+    EXPECT_LT(pixels_of(render(chart), blue), ink) << int(marker);
+    chart.series[0].open = {false, true, false};
+  }
 }
 
 TEST(Chart, KeepsLinesInItsFrameAndBreaksThemWhereDataAreMissing) {

@@ -91,18 +91,31 @@ class ChartDrawing {
     return outline;
   }
 
-  /// All markers cover about the same area.
-  void draw_marker(const Spot& p, const Series& s) {
+  /// A filled polygon, or its outline alone.
+  void draw_polygon(const Spot& p, int corners, double radius, double turn, const Colour& colour, bool open) {
+    canvas_.area(polygon(p, corners, radius, turn), colour);
+    if (!open) return;
+    const double inner = radius - 0.75 * size_.line / std::cos(std::numbers::pi / corners);
+    canvas_.area(polygon(p, corners, inner, turn), background_colour);
+  }
+
+  /// All markers cover about the same area; those of strokes are never filled.
+  void draw_marker(const Spot& p, const Series& s, bool open = false) {
+    constexpr double pi = std::numbers::pi;
     const double r = 0.5 * size_.marker, d = 0.9 * r;
     switch (s.marker) {
       case Marker::none:
         return;
       case Marker::circle:
-        return canvas_.area(polygon(p, 32, r, 0), s.colour);
+        return draw_polygon(p, 32, r, 0, s.colour, open);
       case Marker::square:
-        return canvas_.area(polygon(p, 4, 1.25 * r, std::numbers::pi / 4), s.colour);
+        return draw_polygon(p, 4, 1.25 * r, pi / 4, s.colour, open);
       case Marker::diamond:
-        return canvas_.area(polygon(p, 4, 1.35 * r, 0), s.colour);
+        return draw_polygon(p, 4, 1.35 * r, 0, s.colour, open);
+      case Marker::triangle:
+        return draw_polygon(p, 3, 1.5 * r, pi / 2, s.colour, open);
+      case Marker::wedge:
+        return draw_polygon(p, 3, 1.5 * r, -pi / 2, s.colour, open);
       case Marker::cross:
         canvas_.line({{p.x - d, p.y - d}, {p.x + d, p.y + d}}, s.colour, size_.line);
         return canvas_.line({{p.x - d, p.y + d}, {p.x + d, p.y - d}}, s.colour, size_.line);
@@ -146,7 +159,8 @@ class ChartDrawing {
     const auto& [left, bottom, right, top] = layout_.frame;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       const Spot p = spot(s.x[k], s.y[k]);
-      if (p.x > left - 1 && p.x < right + 1 && p.y > bottom - 1 && p.y < top + 1) draw_marker(p, s);
+      if (p.x > left - 1 && p.x < right + 1 && p.y > bottom - 1 && p.y < top + 1)
+        draw_marker(p, s, !s.open.empty() && s.open[k]);
     }
   }
 
@@ -185,7 +199,8 @@ class ChartDrawing {
       if (s.name.empty()) continue;
       const double from = left + size_.gap, to = from + size_.symbol;
       draw_styled({{from, y}, {to, y}}, s);
-      draw_marker({(from + to) / 2, y}, s);
+      const bool all_open = !s.open.empty() && std::find(s.open.begin(), s.open.end(), false) == s.open.end();
+      draw_marker({(from + to) / 2, y}, s, all_open);
       write(canvas_, {to + size_.gap, y}, s.name, size_.label, {Across::left, Along::centre});
       y -= size_.row;
     }

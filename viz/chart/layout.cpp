@@ -69,8 +69,9 @@ class Extent {
 void find_stretches(const Chart& chart, ChartLayout& layout) {
   Extent x(chart.x), y(chart.y);
   for (const Series& s : chart.series) {
-    require(s.x.size() == s.y.size() && (s.bars.empty() || s.bars.size() == s.y.size()),
-            "x, y and bars of a series have the same length");
+    require(s.x.size() == s.y.size() && (s.bars.empty() || s.bars.size() == s.y.size()) &&
+                (s.open.empty() || s.open.size() == s.y.size()),
+            "x, y, bars and open of a series have the same length");
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       if (!std::isfinite(shown(chart.x, s.x[k])) || !std::isfinite(shown(chart.y, s.y[k]))) continue;
       x.add(s.x[k]);
@@ -178,22 +179,20 @@ Choice emptiest(const Chart& chart, const ChartLayout& layout, const std::array<
   return best;
 }
 
-/// The corner for the legend; where none is empty the y axis is raised until one is, if it may be.
-LegendPlace find_corner(const Chart& chart, const std::array<double, 2>& size, ChartLayout& layout) {
+/// An empty corner for the legend; where none is empty the y axis is raised until one is, if it may be and
+/// the data keep two thirds of it; else the place right of the frame.
+LegendPlace find_place(const Chart& chart, const std::array<double, 2>& size, ChartLayout& layout) {
   if (chart.legend != LegendPlace::automatic) return chart.legend;
   const double gap = sizes_of(chart).gap;
-  Choice best = emptiest(chart, layout, size, gap);
-  const double rows = (layout.frame.top - layout.frame.bottom) / (size[1] + 3 * gap);
-  if (chart.y.high || rows < 1.5) return best.place;
   constexpr int raises = 6;
-  const double top = layout.y.high;
-  // After the last raise the legend stands above all data.
-  const double room = (top - layout.y.low) / (rows - 1);
-  for (int n = 1; n <= raises && best.covered > 0; ++n) {
+  constexpr double most = 0.5;  // of what the data take
+  const double top = layout.y.high, room = most * (top - layout.y.low);
+  for (int n = 0; n <= (chart.y.high ? 0 : raises); ++n) {
     layout.y.high = top + room * n / raises;
-    best = emptiest(chart, layout, size, gap);
+    if (const Choice best = emptiest(chart, layout, size, gap); best.covered == 0) return best.place;
   }
-  return best.place;
+  layout.y.high = top;
+  return LegendPlace::outside;
 }
 
 }  // namespace
@@ -221,9 +220,17 @@ ChartLayout layout_of(const Chart& chart) {
   find_stretches(chart, layout);
   place_frame(chart, layout);
   if (const auto size = legend_size(chart)) {
-    const LegendPlace place = find_corner(chart, *size, layout);
+    const LegendPlace place = find_place(chart, *size, layout);
+    const double gap = sizes_of(chart).gap;
     place_frame(chart, layout);
-    layout.legend = corner(layout.frame, place, *size, sizes_of(chart).gap);
+    Box& frame = layout.frame;
+    if (place == LegendPlace::outside) {
+      frame.right = chart.width - size->front() - gap;
+      layout.legend = {frame.right + 0.5 * gap, frame.top - size->back(),
+                       frame.right + 0.5 * gap + size->front(), frame.top};
+    } else {
+      layout.legend = corner(frame, place, *size, gap);
+    }
   }
   return layout;
 }

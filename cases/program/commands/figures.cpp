@@ -43,8 +43,9 @@ Command figures_command() {
       render_svg(figure.chart, folder / (figure.name + ".svg"));
     }
     write_file(folder / "report.md", report(study, figures));
+    for (const std::string& remark : study.remarks) console.err << fmt::format("furnas: {}\n", remark);
     if (study.history.empty())
-      console.err << "furnas: no figure_1b: no jammed sample has a history.csv in these folders\n";
+      console.err << "furnas: no figure_1b_history: no jammed sample has a history.csv in these folders\n";
     console.out << fmt::format("{} figures and report.md in {}\n", figures.size(), folder.string());
     return ExitCode::done;
   };

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/figures/gather.h"
 #include "cases/program/figures/study.h"
 #include "cases/program/packing_source.h"
 #include "cases/program/table.h"
@@ -32,8 +33,11 @@ FurnasInterval model_of(const Options& o) {
   if (const auto model = study.model(o.friction)) return *model;
   std::vector<double> known;
   for (const Point& point : study.mono) known.push_back(point.friction);
-  throw InputError(fmt::format("--friction {}: no jammed samples of equal spheres; allowed: {}", o.friction,
-                               known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+  throw InputError(fmt::format(
+      "--friction {}: no jammed samples of equal spheres, from which the model follows; allowed: {}. To make "
+      "them: {}, then add --sweep {}_mono_{}",
+      o.friction, known.empty() ? "none of these sweeps" : fmt::format("{}", fmt::join(known, ", ")),
+      command_for_equal_spheres(o.sweeps.front(), o.friction), o.sweeps.front(), o.friction));
 }
 
 std::string number(double value) { return fmt::format("{:.5f}", value); }
@@ -76,6 +80,7 @@ Command model_command() {
     for (const auto& [name, value] : {std::pair{"phi_mono", mono}, {"f_max", f}, {"phi_max", phi}})
       console.out << fmt::format("{:<9} {:.5f} ({:.5f} to {:.5f})\n", name, value.value, value.low,
                                  value.high);
+    if (!options->sweeps.empty()) console.out << "in brackets: 95 % intervals\n";
     const Table table = table_of(model, options->step);
     console.out << '\n' << table.aligned();
     if (options->out.empty()) return ExitCode::done;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/output_page.h"
 #include "io/case_preset.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct Options {
   bool markdown = false;
+  bool outputs = false;
 };
 
 std::string default_text(const Key& key) {
@@ -81,15 +83,20 @@ Command schema_command() {
   const auto options = std::make_shared<Options>();
   return {
       .name = "schema",
-      .does = "list every key of the case file with type, unit, default and range",
+      .does = "list every key of the case file, or what the files of runs and sweeps hold",
       .example = "furnas schema --markdown > docs/reference/case-file.md",
       .setup =
           [options](CommandLine& app) {
             app.flag("--markdown", options->markdown, "as the page docs/reference/case-file.md");
+            app.flag("--outputs", options->outputs,
+                     "every field, column and array of the files that runs and sweeps write, as the page "
+                     "docs/reference/outputs.md");
           },
       .run =
           [options](Console console) {
-            options->markdown ? print_markdown(console.out) : print_text(console.out);
+            if (options->outputs) console.out << output_page();
+            if (options->markdown) print_markdown(console.out);
+            if (!options->outputs && !options->markdown) print_text(console.out);
             return ExitCode::done;
           },
   };

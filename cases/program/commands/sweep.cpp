@@ -20,7 +20,7 @@ Command sweep_command() {
   command.does = "run the samples of a case with [sweep], several at once; again: go on with it";
   command.example = "furnas sweep cases/study/smoke.toml --out runs/smoke";
   command.setup = [options](CommandLine& app) {
-    app.add("CASE", options->file, "case file with [sweep]").required();
+    app.add("CASE", options->file, "case file with [sweep], or any with --samples").required();
     app.add("--out", options->out, "folder for the samples and tables; default: runs/<case>");
     app.add("--set", options->set, "change a key of the case that the sweep leaves alone");
     app.add("--jobs", options->jobs, "threads of all samples together; default: all of the machine")
@@ -31,7 +31,10 @@ Command sweep_command() {
              "add points around the maximum of each phi_J(f_s), until f_max is known to +-0.01");
   };
   command.run = [options](Console console) {
-    SweepOrder order{read_sweep(options->file, options->set), options->out, options->jobs, options->refine};
+    const bool one_point = options->samples > 0 && !holds_sweep(options->file);
+    SweepOrder order{
+        one_point ? sweep_of_one_point(options->file, options->set) : read_sweep(options->file, options->set),
+        options->out, options->jobs, options->refine};
     if (order.folder.empty())
       order.folder = std::filesystem::path("runs") / std::filesystem::path(options->file).stem();
     if (options->samples > 0)

@@ -13,7 +13,8 @@
 namespace furnas {
 namespace {
 
-constexpr std::array markers{Marker::circle, Marker::square, Marker::diamond, Marker::cross, Marker::plus};
+constexpr std::array markers{Marker::circle, Marker::square, Marker::diamond, Marker::triangle,
+                             Marker::wedge};
 constexpr std::array lines{LineStyle::dotted, LineStyle::dashed, LineStyle::solid};
 
 Series measured(std::string name, std::size_t n, LineStyle line = LineStyle::solid) {
@@ -24,16 +25,25 @@ Series measured(std::string name, std::size_t n, LineStyle line = LineStyle::sol
   return s;
 }
 
-/// Adds a point; a single sample has no bar.
-void add(Series& s, double x, const Interval& y) {
+/// Adds a point; a single sample has no bar, and that of a cell too thin is open.
+void add(Series& s, double x, const Interval& y, bool thin = false) {
   s.x.push_back(x);
   s.y.push_back(y.value);
   const bool known = std::isfinite(y.high - y.low);
   s.bars.push_back(known ? Bar{y.value - y.low, y.high - y.value} : Bar{});
+  s.open.push_back(thin);
 }
 
-void add(Series& s, double x, const MeanInterval& mean) {
-  add(s, x, Interval{mean.mean, mean.low(), mean.high()});
+void add(Series& s, double x, const MeanInterval& mean, bool thin = false) {
+  add(s, x, Interval{mean.mean, mean.low(), mean.high()}, thin);
+}
+
+/// Says what open symbols are, where there are some.
+void explain_open(Chart& chart) {
+  const auto has_open = [](const Series& s) {
+    return std::find(s.open.begin(), s.open.end(), true) != s.open.end();
+  };
+  if (std::any_of(chart.series.begin(), chart.series.end(), has_open)) chart.series.push_back(open_symbol());
 }
 
 /// The model at many f_s.
@@ -52,21 +62,15 @@ Series model_line(std::string name, Value&& value) {
 Chart over_fractions(std::string y) {
   Chart chart;
   chart.x.title = "f_s";
-  chart.x.low = 0;
-  chart.x.high = 1;
+  // Bars on the frame would not be seen.
+  chart.x.low = -0.02;
+  chart.x.high = 1.02;
   chart.y.title = std::move(y);
   return chart;
 }
 
 std::string model_name(const FurnasInterval& model) {
   return fmt::format("model, φ_{{mono}} = {:.3f}", model.middle().mono);
-}
-
-/// "figure_2a" for the frictions of the paper's panels.
-std::string name_of_curves(double friction) {
-  if (friction == 0) return "figure_2a";
-  if (friction == 0.3) return "figure_2b";
-  return fmt::format("figure_2_mu_{}", friction);
 }
 
 /// A value at each point of each curve of a friction, with the model's beside it.
@@ -82,7 +86,8 @@ Chart curves_chart(const Study& study, double friction, const std::string& y, Va
     const Curve* curve = study.curve(ratios[n], friction);
     if (curve == nullptr) continue;
     Series s = measured(fmt::format("α = {}", ratios[n]), n);
-    for (const Point& p : curve->points) add(s, p.small_fraction, value(*p.mean_phi_J, p.small_fraction));
+    for (const Point& p : curve->points)
+      add(s, p.small_fraction, value(*p.mean_phi_J, p.small_fraction), p.too_thin());
     chart.series.push_back(std::move(s));
   }
   return chart;
@@ -95,12 +100,12 @@ void add_curves(const Study& study, std::vector<Figure>& figures) {
       // All are large at one end and small at the other; after the model in the legend.
       Series s = measured("α = 1", 4, LineStyle::none);
       s.colour = black;
-      for (const double f : {0.0, 1.0}) add(s, f, *mono->mean_phi_J);
+      for (const double f : {0.0, 1.0}) add(s, f, *mono->mean_phi_J, mono->too_thin());
       chart.series.insert(chart.series.begin() + 1, std::move(s));
     }
     chart.title = fmt::format("μ = {}", mu);
     figures.push_back(
-        {name_of_curves(mu),
+        {fmt::format("figure_2_friction_{}", mu),
          fmt::format("Packing fraction at jamming against the volume fraction of small spheres, "
                      "friction {}; bars: 95 % intervals of the mean.",
                      mu),
@@ -130,11 +135,11 @@ void add_parts(const Study& study, std::vector<Figure>& figures) {
     Chart small = curves_chart(study, mu, "φ_S = f_s φ_J / (1 − φ_L)", in_voids);
     large.y.low = small.y.low = 0;
     large.title = small.title = fmt::format("μ = {}", mu);
-    figures.push_back({fmt::format("phi_large_mu_{}", mu),
+    figures.push_back({fmt::format("phi_large_friction_{}", mu),
                        fmt::format("Packing fraction of the large spheres alone, friction {}.", mu),
                        std::move(large)});
     figures.push_back(
-        {fmt::format("phi_small_mu_{}", mu),
+        {fmt::format("phi_small_friction_{}", mu),
          fmt::format(
              "Packing fraction of the small spheres in the room that the large ones leave, friction {}.", mu),
          std::move(small)});
@@ -159,7 +164,8 @@ Series model_points(const Study& study, std::string name, LineStyle line,
   Series s{std::move(name)};
   s.colour = black;
   s.line = line;
-  for (const Point& mono : study.mono) add(s, mono.friction, value(*study.model(mono.friction)));
+  for (const Point& mono : study.mono)
+    add(s, mono.friction, value(*study.model(mono.friction)), mono.too_thin());
   return s;
 }
 
@@ -170,7 +176,7 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
   phi.series.push_back(model_points(study, "φ_{mono}", LineStyle::dotted, [](const FurnasInterval& m) {
     return Interval{m.middle().mono, m.phi(0).low, m.phi(0).high};
   }));
-  phi.series.back().marker = Marker::plus;
+  phi.series.back().marker = Marker::wedge;
   f.series.push_back(
       model_points(study, "model", LineStyle::solid, [](const FurnasInterval& m) { return m.f_max(); }));
   const auto ratios = study.size_ratios();
@@ -181,8 +187,10 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
       const Curve* curve = study.curve(ratios[n], mu);
       const auto m = curve ? maximum_of(*curve) : std::nullopt;
       if (!m) continue;
-      add(of_phi, mu, m->phi_max);
-      add(of_f, mu, Interval{m->f_max, m->f_max_low, m->f_max_high});
+      const auto highest = std::find_if(curve->points.begin(), curve->points.end(),
+                                        [&](const Point& p) { return p.small_fraction == m->at; });
+      add(of_phi, mu, m->phi_max, highest->too_thin());
+      add(of_f, mu, Interval{m->f_max, m->f_max_low, m->f_max_high}, highest->too_thin());
     }
     if (of_phi.x.empty()) continue;
     phi.series.push_back(std::move(of_phi));
@@ -192,9 +200,9 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
   std::erase_if(f.series, [](const Series& s) { return s.x.empty(); });
   if (!phi.series.empty())
     figures.push_back(
-        {"figure_3a", "Packing fraction of the densest mixture against friction.", std::move(phi)});
+        {"figure_3a_phi_max", "Packing fraction of the densest mixture against friction.", std::move(phi)});
   if (!f.series.empty())
-    figures.push_back({"figure_3b",
+    figures.push_back({"figure_3b_f_max",
                        "Volume fraction of small spheres of the densest mixture against friction.",
                        std::move(f)});
 }
@@ -217,11 +225,12 @@ void add_rattlers(const Study& study, std::vector<Figure>& figures) {
       for (std::size_t n = 0; n < 3; ++n) {
         Series s = measured(fmt::format("μ = {}, fewer than {}", frictions[k], n + 2), k, lines[n]);
         for (const Point& p : curve->points)
-          if (const auto& share = p.small_rattlers[n]) add(s, p.small_fraction, of_share(*share));
+          if (const auto& share = p.small_rattlers[n])
+            add(s, p.small_fraction, of_share(*share), p.too_thin());
         if (!s.x.empty()) chart.series.push_back(std::move(s));
       }
     }
-    figures.push_back({fmt::format("figure_4_alpha_{}", ratio),
+    figures.push_back({fmt::format("figure_4_rattlers_size_ratio_{}", ratio),
                        fmt::format("Share of rattlers among the small spheres, size ratio {}, for rattlers "
                                    "with fewer than 2, 3 and 4 live contacts.",
                                    ratio),
@@ -253,7 +262,7 @@ void add_history(const Study& study, std::vector<Figure>& figures) {
   }
   chart.series = {std::move(pressure), std::move(phi)};
   const auto point = study.history.parent_path().parent_path().filename().string();
-  figures.push_back({"figure_1b",
+  figures.push_back({"figure_1b_history",
                      fmt::format("Packing fraction and pressure against time of one sample ({}).", point),
                      std::move(chart)});
 }
@@ -267,17 +276,29 @@ std::vector<Figure> figures_of(const Study& study) {
   add_maxima(study, figures);
   add_rattlers(study, figures);
   add_parts(study, figures);
+  for (Figure& figure : figures) explain_open(figure.chart);
   return figures;
 }
 
-std::string csv(const Chart& chart) {
-  Table table({"series", "x", "y", "low", "high"});
+Series open_symbol() {
+  Series s{"open: cell too thin"};
+  s.line = LineStyle::none;
+  s.marker = Marker::circle;
+  s.x = s.y = {std::nan("")};
+  s.open = {true};
+  return s;
+}
+
+std::string csv(const Chart& chart, const std::string& x, const std::string& y) {
+  Table table({"series", x, y, "low", "high", "too_thin"});
   for (const Series& s : chart.series)
     for (std::size_t k = 0; k < s.x.size(); ++k) {
+      if (!std::isfinite(s.x[k])) continue;
       const Bar* const bar = s.bars.empty() ? nullptr : &s.bars[k];
       table.row({without_commas(s.name), fmt::format("{:.6g}", s.x[k]), fmt::format("{:.6g}", s.y[k]),
                  bar ? fmt::format("{:.6g}", s.y[k] - bar->below) : "",
-                 bar ? fmt::format("{:.6g}", s.y[k] + bar->above) : ""});
+                 bar ? fmt::format("{:.6g}", s.y[k] + bar->above) : "",
+                 !s.open.empty() && s.open[k] ? "yes" : ""});
     }
   return table.csv();
 }

@@ -18,7 +18,11 @@ struct Figure {
 /// All figures that a study has data for.
 std::vector<Figure> figures_of(const Study& study);
 
-/// What a chart shows as numbers: series, x, y and the ends of the error bar.
-std::string csv(const Chart& chart);
+/// A series without points, for the legend of a chart with open symbols.
+Series open_symbol();
+
+/// What a chart shows as numbers: series, x, y, the ends of the error bar, and "yes" where the cell is too
+/// thin; x and y under these names.
+std::string csv(const Chart& chart, const std::string& x = "x", const std::string& y = "y");
 
 }  // namespace furnas

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "cases/program/sweep/finite_size.h"
 
 namespace furnas {
 namespace {
@@ -30,7 +33,7 @@ std::string statements_table(const Study& study) {
 }
 
 std::string mono_table(const Study& study) {
-  std::string text = "| μ | φ_mono | ± | n | model f_max | model φ_max |\n|---|---|---|---|---|---|\n";
+  std::string text = "| μ | φ_mono | ± (95 %) | n | model f_max | model φ_max |\n|---|---|---|---|---|---|\n";
   for (const Point& p : study.mono) {
     const FurnasInterval model = *study.model(p.friction);
     const Interval f = model.f_max(), phi = model.phi_max();
@@ -43,7 +46,7 @@ std::string mono_table(const Study& study) {
 }
 
 std::string maxima_table(const Study& study) {
-  std::string text = "| α | μ | f_max | φ_max | ± | n |\n|---|---|---|---|---|---|\n";
+  std::string text = "| α | μ | f_max (95 %) | φ_max | ± (95 %) | n |\n|---|---|---|---|---|---|\n";
   for (const Curve& curve : study.curves)
     if (const auto m = maximum_of(curve))
       text += fmt::format("| {} | {} | {:.3f} ({:.3f} to {:.3f}) | {:.4f} | {} | {} |\n", curve.size_ratio(),
@@ -55,17 +58,23 @@ std::string maxima_table(const Study& study) {
 
 std::string points_table(const Study& study) {
   std::string text =
-      "| α | μ | f_s | N_l | N_s | jammed | settled | budget | diverged, failed | unfinished | φ_J | ± | "
-      "effective size |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "| α | μ | f_s | p_a | preset | N_l | N_s | jammed | settled | budget | diverged, failed | unfinished "
+      "| "
+      "φ_J | ± (95 %) | finite size | effective size | thickness |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
     if (p.unfinished == p.samples) continue;  // nothing is known of it
     const auto& phi = p.mean_phi_J;
     text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {:.0f} |\n", p.size_ratio,
-        p.friction, p.small_fraction, p.large, p.small, p.jammed, p.samples, p.settled, p.budget,
-        p.diverged + p.failed, p.unfinished, phi ? fmt::format("{:.4f}", phi->mean) : "-",
-        phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-", p.effective_size);
+        "| {} | {} | {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} | {}{} "
+        "|\n",
+        p.size_ratio, p.friction, p.small_fraction,
+        std::isfinite(p.pressure) ? fmt::format("{}", p.pressure) : "-", p.preset.empty() ? "-" : p.preset,
+        p.large, p.small, p.jammed, p.samples, p.settled, p.budget, p.diverged + p.failed, p.unfinished,
+        phi ? fmt::format("{:.4f}", phi->mean) : "-",
+        phi && phi->samples > 1 ? fmt::format("{:.4f}", phi->half_width) : "-",
+        phi ? finite_size_text(p) : "-", p.effective_size, thickness_text(p),
+        p.too_thin() ? ", too thin" : "");
   }
   return text;
 }
@@ -79,16 +88,20 @@ Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse fr
 Written by `furnas figures`. Means are those of jammed samples, and of settled ones where a table counts some: phi with a bound on what may still
 come, by which intervals are wider. Intervals are Student's t, 95 %. n: samples.
 *Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
+A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and decide no statement.
 
 )";
+  for (const std::string& remark : study.remarks) text += remark + ".\n\n";
   text += statements_table(study);
   if (!study.mono.empty()) text += "\n## Equal spheres, and the model that follows\n\n" + mono_table(study);
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
       "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed and settled "
-      "samples together. Where the small spheres rattle only the large ones count. Points of which no sample "
-      "is finished are "
-      "left out.\n\n";
+      "samples together. Where the small spheres rattle only the large ones count. Finite size: what φ_J of "
+      "a "
+      "large packing is above that of so many spheres, as far as this study has measured it. Thickness: of "
+      "the thinnest cell, in largest diameters; at most so much where tables of older versions do not tell. "
+      "Points of which no sample is finished are left out.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";
   for (const Figure& f : figures) text += fmt::format("\n![{}]({}.svg)\n\n{}\n", f.name, f.name, f.caption);

@@ -1,12 +1,14 @@
 #include "cases/program/figures/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "cases/program/figures/gather.h"
 #include "engine/base/require.h"
 
 namespace furnas {
@@ -15,49 +17,68 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
+constexpr const char* number_of_large = "mixture.large";
 
 std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
 
-void refuse_other_keys(const SampleTable& table, const fs::path& folder) {
-  for (const std::string& key : table.keys)
-    if (key != "mixture.large" && std::find(keys.begin(), keys.end(), key) == keys.end())
-      throw InputError(fmt::format("{}: {} takes several values; allowed: sweeps over {} and mixture.large",
-                                   (folder / sample_table_name).string(), key, fmt::join(keys, ", ")));
+/// Means of samples that differ in more than the paper varies would be of no experiment.
+void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders) {
+  std::string others, first;
+  for (const VaryingKey& varying : all.varying()) {
+    if (varying.key == number_of_large || std::find(keys.begin(), keys.end(), varying.key) != keys.end())
+      continue;
+    if (first.empty()) first = varying.key;
+    others +=
+        fmt::format("{}{} ({})", others.empty() ? "" : ", ", varying.key, fmt::join(varying.values, ", "));
+  }
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) names.push_back(folder.string());
+  for (std::size_t k = 0; k < all.runs.size(); ++k)
+    if (all.table.rows[k].values.front().empty())
+      throw InputError(
+          fmt::format("{} starts from a file, whose size ratio is not known; allowed: sweeps of [mixture], "
+                      "or furnas plot",
+                      all.sweeps[k].string()));
+  if (others.empty()) return;
+  throw InputError(fmt::format(
+      "samples in {} differ in {}: their means would mix experiments; allowed: samples that differ in {} and "
+      "{} alone. To see the difference: furnas plot {} --by {}",
+      fmt::join(names, ", "), others, fmt::join(keys, ", "), number_of_large, fmt::join(names, " "), first));
 }
 
-/// All rows in one table of the paper's keys, sorted.
-SampleTable merged(const std::vector<fs::path>& folders, fs::path& history) {
-  SampleTable all{keys, {}};
-  std::map<std::tuple<double, double, double>, std::int64_t> most;
+/// The history of a jammed sample of the largest size ratio and friction; empty if none is there.
+fs::path history_in(const Gathered& all) {
+  fs::path history;
   std::tuple<double, double, double> best;
-  for (const fs::path& folder : folders) {
-    const SampleTable table = read_sample_table(folder);
-    refuse_other_keys(table, folder);
-    for (SampleRow row : table.rows) {
-      const fs::path file = folder / folder_of_sample(table.keys, row.values, row.seed) / "history.csv";
-      const std::tuple rank{row.size_ratio, row.friction, row.phi_J};
-      if (row.jammed() && (history.empty() || rank > best) && fs::exists(file)) {
-        best = rank;
-        history = file;
-      }
-      row.values = {fmt::format("{}", row.size_ratio), fmt::format("{}", row.small_fraction),
-                    fmt::format("{}", row.friction)};
-      auto& large = most[place_of(row)];
-      large = std::max(large, row.large);
-      all.rows.push_back(std::move(row));
-    }
+  for (std::size_t k = 0; k < all.runs.size(); ++k) {
+    const SampleRow& row = all.table.rows[k];
+    const fs::path file = all.runs[k] / "history.csv";
+    const std::tuple rank{row.size_ratio, row.friction, row.phi_J};
+    if (!row.jammed() || !(history.empty() || rank > best) || !fs::exists(file)) continue;
+    best = rank;
+    history = file;
   }
-  // The same run in two folders is one sample.
-  const auto name_of = [](const SampleRow& row) {
-    return std::tuple(place_of(row), row.seed, row.large, row.verdict, row.state_hash);
-  };
-  std::set<decltype(name_of(SampleRow{}))> seen;
-  std::erase_if(all.rows, [&](const SampleRow& row) { return !seen.insert(name_of(row)).second; });
+  return history;
+}
+
+/// The rows in one table of the paper's keys, sorted; those of the most large spheres at each place.
+SampleTable largest_of(const Gathered& gathered, std::vector<std::string>& remarks) {
+  SampleTable all{keys, gathered.table.rows};
+  std::map<std::tuple<double, double, double>, std::int64_t> most;
+  for (SampleRow& row : all.rows) {
+    row.values.resize(keys.size());  // of the keys of the paper, which are the first
+    auto& large = most[place_of(row)];
+    large = std::max(large, row.large);
+  }
   // A failed sample has no result that would tell its size.
-  std::erase_if(all.rows,
-                [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });
+  const auto smaller = std::erase_if(
+      all.rows, [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });
+  if (smaller > 0)
+    remarks.push_back(
+        fmt::format("{} sample{} with fewer large spheres than others of the same point left out", smaller,
+                    smaller == 1 ? " is" : "s are"));
   std::stable_sort(all.rows.begin(), all.rows.end(),
                    [](const SampleRow& a, const SampleRow& b) { return place_of(a) < place_of(b); });
   return all;
@@ -66,14 +87,28 @@ SampleTable merged(const std::vector<fs::path>& folders, fs::path& history) {
 }  // namespace
 
 Study study_of(const std::vector<fs::path>& folders) {
+  const Gathered gathered = gather(folders);
+  refuse_other_keys(gathered, folders);
   Study study;
-  study.points = points_of(merged(folders, study.history));
+  study.folders = folders;
+  study.remarks = gathered.remarks;
+  study.history = history_in(gathered);
+  study.points = points_of(largest_of(gathered, study.remarks));
   for (const Curve& curve : curves_of(study.points, keys))
     if (curve.size_ratio() == 1)
       study.mono.push_back(curve.points.front());
     else
       study.curves.push_back(curve);
   return study;
+}
+
+Study Study::without_thin_cells() const {
+  Study thick = *this;
+  const auto thin = [](const Point& point) { return point.too_thin(); };
+  std::erase_if(thick.mono, thin);
+  for (Curve& curve : thick.curves) std::erase_if(curve.points, thin);
+  std::erase_if(thick.curves, [](const Curve& curve) { return curve.points.empty(); });
+  return thick;
 }
 
 const Point* Study::mono_at(double friction) const {
@@ -85,7 +120,10 @@ const Point* Study::mono_at(double friction) const {
 std::optional<FurnasInterval> Study::model(double friction) const {
   const Point* point = mono_at(friction);
   if (point == nullptr) return {};
-  const MeanInterval& phi = *point->mean_phi_J;
+  return model_of(*point->mean_phi_J);
+}
+
+FurnasInterval model_of(const MeanInterval& phi) {
   if (phi.samples < 2) return FurnasInterval(phi.mean, 0);
   // The interval of two samples that differ can reach below 0 or above 1.
   constexpr double emptiest = 1e-3, fullest = 1 - emptiest;

@@ -17,18 +17,25 @@ struct Study {
   std::vector<Point> points;      ///< all of them, whatever their verdicts
   std::filesystem::path history;  ///< of a jammed sample of the largest size ratio and friction; empty if no
                                   ///< folder has one
+  std::vector<std::string> remarks;            ///< what the reader ought to know, in sentences
+  std::vector<std::filesystem::path> folders;  ///< of the sweeps
 
   /// phi_mono(mu) and the model that follows from it; none without samples of one size.
   std::optional<FurnasInterval> model(double friction) const;
+  /// Equal spheres and curves without the points of cells too thin to stand for large packings.
+  Study without_thin_cells() const;
   const Point* mono_at(double friction) const;                   ///< nullptr if there is none
   const Curve* curve(double size_ratio, double friction) const;  ///< nullptr if there is none
   std::vector<double> frictions() const;                         ///< of the curves, ascending
   std::vector<double> size_ratios() const;                       ///< of the curves, ascending
 };
 
+/// The model of a phi_mono that some samples have; its interval is cut to what a packing can be.
+FurnasInterval model_of(const MeanInterval& phi_mono);
+
 /// Reads the tables of the folders of sweeps. Of samples with several numbers of large spheres those with the
-/// most count, and the same run in two folders once. Throws InputError, also when a sweep varies a key that
-/// the paper does not.
+/// most count, and the same run in two folders once. Throws InputError, also when samples differ in a key
+/// that bears on phi_J and that the paper does not vary.
 Study study_of(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace furnas

@@ -1,12 +1,10 @@
 #include "cases/program/sweep/points.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
-#include "cases/program/table.h"
 #include "engine/statistics/maximum.h"
 
 namespace furnas {
@@ -18,6 +16,8 @@ Point begin_point(const SampleRow& row) {
   point.size_ratio = row.size_ratio;
   point.small_fraction = row.small_fraction;
   point.friction = row.friction;
+  point.pressure = row.pressure;
+  point.preset = row.preset;
   return point;
 }
 
@@ -63,12 +63,20 @@ void take_means(Point& point, const std::vector<const SampleRow*>& ended) {
   }
 }
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+/// That of the cell, or what it is at most: the faces of no cell are further apart than those of a cube.
+double thickness_at_most(const SampleRow& row) {
+  if (std::isfinite(row.thickness)) return row.thickness;
+  const double spheres = static_cast<double>(row.large) * std::pow(row.size_ratio, 3) +
+                         static_cast<double>(row.small);  // of the volume of a small one
+  const double volume = std::numbers::pi / 6 * spheres / row.density();
+  return std::cbrt(volume) / (row.large > 0 ? row.size_ratio : 1);
+}
 
-/// The mean, and half of its interval.
-void add_mean(std::vector<std::string>& cells, const std::optional<MeanInterval>& mean) {
-  cells.push_back(mean ? number(mean->mean) : "");
-  cells.push_back(mean ? number(mean->half_width) : "");
+void take_thickness(Point& point, const std::vector<const SampleRow*>& ended) {
+  for (const SampleRow* row : ended) {
+    point.thickness = std::fmin(point.thickness, row->thickness);  // which passes over what is not known
+    point.thickness_at_most = std::min(point.thickness_at_most, thickness_at_most(*row));
+  }
 }
 
 }  // namespace
@@ -86,35 +94,11 @@ std::vector<Point> points_of(const SampleTable& table) {
     count_verdict(points[found->second], row);
     if (row.jammed() || row.settled()) ended[found->second].push_back(&row);
   }
-  for (std::size_t k = 0; k < points.size(); ++k) take_means(points[k], ended[k]);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    take_means(points[k], ended[k]);
+    take_thickness(points[k], ended[k]);
+  }
   return points;
-}
-
-std::string csv(const std::vector<Point>& points, const std::vector<std::string>& keys) {
-  std::vector<std::string> names = keys;
-  names.insert(names.end(), {"large", "small", "samples", "jammed", "settled", "jammed_share", "budget",
-                             "diverged", "failed", "unfinished", "effective_size"});
-  for (const char* name : {"phi_J", "Z_backbone", "large_rattlers_2", "large_rattlers_3", "large_rattlers_4",
-                           "small_rattlers_2", "small_rattlers_3", "small_rattlers_4"}) {
-    names.emplace_back(name);
-    names.push_back(fmt::format("{}_half_width", name));
-  }
-  Table text(names);
-  for (const Point& p : points) {
-    std::vector<std::string> cells = p.values;
-    for (const std::int64_t n : {p.large, p.small}) cells.push_back(std::to_string(n));
-    for (const std::size_t n : {p.samples, p.jammed, p.settled}) cells.push_back(std::to_string(n));
-    cells.push_back(fmt::format("{:.3g}", static_cast<double>(p.jammed) / static_cast<double>(p.samples)));
-    for (const std::size_t n : {p.budget, p.diverged, p.failed, p.unfinished})
-      cells.push_back(std::to_string(n));
-    cells.push_back(fmt::format("{:.0f}", p.effective_size));
-    add_mean(cells, p.mean_phi_J);
-    add_mean(cells, p.mean_Z_backbone);
-    for (const auto& mean : p.large_rattlers) add_mean(cells, mean);
-    for (const auto& mean : p.small_rattlers) add_mean(cells, mean);
-    text.row(cells);
-  }
-  return text.csv();
 }
 
 std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector<std::string>& keys) {

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cases/program/sweep/sample_table.h"
 #include "engine/statistics/statistics.h"
+#include "io/output_field.h"
+#include "io/result.h"
 
 namespace furnas {
 
@@ -26,7 +30,33 @@ struct Point {
   /// Backbone spheres of all these samples together: what the mean rests on. Where the small spheres rattle
   /// only the large ones count.
   double effective_size{};
+  /// Of the thinnest of their cells, in diameters of the largest sphere; NaN if not known.
+  double thickness = std::numeric_limits<double>::quiet_NaN();
+  /// What it is at most: the thickness if known, else that of a cube as full. Infinite without a sample.
+  double thickness_at_most = std::numeric_limits<double>::infinity();
+  double pressure = std::numeric_limits<double>::quiet_NaN();  ///< p_a [k_n/d_s]; NaN if not known
+  std::string preset;                                          ///< of the case; empty if not known
+
+  /// Whether a cell of it is so thin that it does not stand for a large packing (io/result.h).
+  bool too_thin() const { return thickness_at_most < least_thickness; }
 };
+
+/// "4.1", "at most 3.1" where the thickness itself is not known, "-" of no sample.
+std::string thickness_text(const Point& point);
+
+/// A column of points.csv after those of the keys. A mean is followed by a column of its half width.
+struct PointColumn {
+  OutputField about;
+  std::string (*cell)(const Point&);                                   ///< empty where it is not known
+  const std::optional<MeanInterval>& (*mean)(const Point&) = nullptr;  ///< of a mean, instead of the cell
+  std::string_view title{};                                            ///< of a mean, on the axis of a chart
+};
+
+/// All of them, in the order of the file.
+std::span<const PointColumn> point_columns();
+
+/// The name of the column behind a mean.
+std::string name_of_half_width(const PointColumn& column);
 
 /// The points of a table, in its order.
 std::vector<Point> points_of(const SampleTable& table);

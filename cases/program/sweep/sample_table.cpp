@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "cases/program/sweep/sample_columns.h"
 #include "cases/program/table.h"
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
@@ -20,28 +21,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Columns after the keys. Tables of older versions lack the last one.
-const std::vector<std::string> columns{"seed",
-                                       "large",
-                                       "small",
-                                       "verdict",
-                                       "reason",
-                                       "phi_J",
-                                       "phi",
-                                       "Z",
-                                       "Z_backbone",
-                                       "backbone",
-                                       "large_rattlers_2",
-                                       "large_rattlers_3",
-                                       "large_rattlers_4",
-                                       "small_rattlers_2",
-                                       "small_rattlers_3",
-                                       "small_rattlers_4",
-                                       "steps",
-                                       "wall_seconds",
-                                       "state_hash",
-                                       "phi_bound"};
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : unknown; }
 
@@ -66,6 +45,8 @@ SampleRow row_of_case(const Sample& sample) {
   row.friction = c.contact.friction;
   row.seed = c.mixture.seed;
   row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = unknown;
+  row.pressure = c.compaction.pressure.back();
+  row.preset = c.preset;
   return row;
 }
 
@@ -87,6 +68,7 @@ void take_result(SampleRow& row, const Json& r) {
     if (least == threshold) row.backbone = number(count.at("backbone"));
   }
   if (row.settled()) row.phi_bound = number(r.at("phi_bound"));
+  row.thickness = number(r.value("thickness_in_largest_diameters", Json()));
   row.steps = r.at("steps");
   row.wall_seconds = r.at("wall_seconds");
   row.state_hash = r.at("state_hash");
@@ -109,58 +91,61 @@ SampleRow row_of(const Sample& sample) {
   return row;
 }
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-/// Takes the cells of a row one after the other.
-class Cells {
- public:
-  Cells(std::vector<std::string> cells, std::string place)
-      : cells_(std::move(cells)), place_(std::move(place)) {}
-  std::string text() { return cells_.at(next_++); }
-  bool left() const { return next_ < cells_.size(); }
-  template <class Number>
-  Number number() {
-    const std::string text = this->text();
-    if constexpr (std::is_floating_point_v<Number>)
-      if (text.empty()) return unknown;
-    const std::optional<Number> value = number_in<Number>(text);
-    if (!value)
-      throw InputError(fmt::format("{}: \"{}\" in column {}; allowed: a number", place_, text, next_));
-    return *value;
-  }
-
- private:
-  std::vector<std::string> cells_;
-  std::string place_;
-  std::size_t next_ = 0;
-};
-
-double value_of(const SampleTable& table, const SampleRow& row, const char* key, double otherwise) {
-  const auto found = std::find(table.keys.begin(), table.keys.end(), key);
-  if (found == table.keys.end()) return otherwise;
-  return Cells({row.values[static_cast<std::size_t>(found - table.keys.begin())]}, key).number<double>();
+/// Puts the text of a cell into a row; an empty cell is an unknown number.
+void take_cell(const SampleColumn& column, const std::string& text, SampleRow& row,
+               const std::string& place) {
+  const auto refused = [&] {
+    return InputError(
+        fmt::format("{}: \"{}\" in column {}; allowed: a number", place, text, column.about.name));
+  };
+  std::visit(
+      [&](auto* field) {
+        using Type = std::decay_t<decltype(*field)>;
+        if constexpr (std::is_same_v<Type, std::string>) {
+          *field = text;
+        } else {
+          const bool empty = std::is_floating_point_v<Type> && text.empty();
+          const std::optional<Type> value =
+              empty ? std::numeric_limits<Type>::quiet_NaN() : number_in<Type>(text);
+          if (!value) throw refused();
+          *field = *value;
+        }
+      },
+      column.value(row));
 }
 
-SampleRow row_in(Cells cells, const SampleTable& table) {
+double value_of(const SampleTable& table, const SampleRow& row, const char* key, double otherwise,
+                const std::string& place) {
+  const auto found = std::find(table.keys.begin(), table.keys.end(), key);
+  if (found == table.keys.end()) return otherwise;
+  const std::string& text = row.values[static_cast<std::size_t>(found - table.keys.begin())];
+  const std::optional<double> value = number_in<double>(text);
+  if (!value) throw InputError(fmt::format("{}: \"{}\" in column {}; allowed: a number", place, text, key));
+  return *value;
+}
+
+SampleRow row_in(const std::vector<std::string>& cells, const SampleTable& table, const std::string& place) {
   SampleRow row;
-  for (std::size_t k = 0; k < table.keys.size(); ++k) row.values.push_back(cells.text());
-  row.size_ratio = value_of(table, row, "mixture.size_ratio", 1);
-  row.small_fraction = value_of(table, row, "mixture.small_fraction", 0);
-  row.friction = value_of(table, row, "contact.friction", 0);
-  row.seed = cells.number<std::int64_t>();
-  row.large = cells.number<std::int64_t>();
-  row.small = cells.number<std::int64_t>();
-  row.verdict = cells.text();
-  row.reason = cells.text();
-  for (double* value : {&row.phi_J, &row.phi, &row.Z, &row.Z_backbone, &row.backbone})
-    *value = cells.number<double>();
-  for (auto& count : row.large_rattlers) count = cells.number<std::int64_t>();
-  for (auto& count : row.small_rattlers) count = cells.number<std::int64_t>();
-  row.steps = cells.number<std::int64_t>();
-  row.wall_seconds = cells.number<double>();
-  row.state_hash = cells.text();
-  row.phi_bound = cells.left() ? cells.number<double>() : unknown;
+  const auto keys = static_cast<std::ptrdiff_t>(table.keys.size());
+  row.values.assign(cells.begin(), cells.begin() + keys);
+  row.size_ratio = value_of(table, row, "mixture.size_ratio", 1, place);
+  row.small_fraction = value_of(table, row, "mixture.small_fraction", 0, place);
+  row.friction = value_of(table, row, "contact.friction", 0, place);
+  for (std::size_t k = table.keys.size(); k < cells.size(); ++k)
+    take_cell(sample_columns()[k - table.keys.size()], cells[k], row, place);
   return row;
+}
+
+/// Takes the columns of furnas off the names, so that the keys remain; how many they are, 0 if others.
+std::size_t take_columns(std::vector<std::string>& names) {
+  const auto columns = sample_columns();
+  const auto first = std::find(names.begin(), names.end(), columns.front().about.name);
+  const auto count = static_cast<std::size_t>(names.end() - first);
+  if (count < oldest_sample_columns || count > columns.size()) return 0;
+  for (std::size_t k = 0; k < count; ++k)
+    if (first[static_cast<std::ptrdiff_t>(k)] != columns[k].about.name) return 0;
+  names.erase(first, names.end());
+  return count;
 }
 
 }  // namespace
@@ -173,17 +158,11 @@ SampleTable table_of(const std::vector<Sample>& samples, const std::vector<std::
 
 std::string csv(const SampleTable& table) {
   std::vector<std::string> names = table.keys;
-  names.insert(names.end(), columns.begin(), columns.end());
+  for (const SampleColumn& column : sample_columns()) names.emplace_back(column.about.name);
   Table text(names);
-  for (const SampleRow& r : table.rows) {
-    std::vector<std::string> cells = r.values;
-    for (const std::int64_t n : {r.seed, r.large, r.small}) cells.push_back(std::to_string(n));
-    for (const std::string& words : {r.verdict, r.reason}) cells.push_back(without_commas(words));
-    for (const double x : {r.phi_J, r.phi, r.Z, r.Z_backbone, r.backbone}) cells.push_back(cell(x));
-    for (const std::int64_t n : r.large_rattlers) cells.push_back(std::to_string(n));
-    for (const std::int64_t n : r.small_rattlers) cells.push_back(std::to_string(n));
-    cells.insert(cells.end(),
-                 {std::to_string(r.steps), cell(r.wall_seconds), r.state_hash, cell(r.phi_bound)});
+  for (const SampleRow& row : table.rows) {
+    std::vector<std::string> cells = row.values;
+    for (const SampleColumn& column : sample_columns()) cells.push_back(cell_of(column, row));
     text.row(cells);
   }
   return text.csv();
@@ -196,17 +175,14 @@ SampleTable read_sample_table(const fs::path& folder) {
   SampleTable table;
   read_csv_row(file, table.keys);
   const std::size_t width = table.keys.size();
-  const std::size_t ours = columns.size() - (width > 0 && table.keys.back() != columns.back() ? 1 : 0);
-  if (width < ours || !std::equal(columns.begin(), columns.begin() + static_cast<long>(ours),
-                                  table.keys.end() - static_cast<long>(ours)))
+  if (take_columns(table.keys) == 0)
     throw InputError(path.string() + ":1: other columns than furnas sweep writes");
-  table.keys.resize(width - ours);
   std::vector<std::string> cells;
   for (int number = 2; read_csv_row(file, cells); ++number) {
     const std::string place = fmt::format("{}:{}", path.string(), number);
     if (cells.size() != width)
       throw InputError(fmt::format("{}: {} columns; allowed: {}", place, cells.size(), width));
-    table.rows.push_back(row_in(Cells(cells, place), table));
+    table.rows.push_back(row_in(cells, table, place));
   }
   return table;
 }

@@ -35,6 +35,11 @@ struct SampleRow {
   std::int64_t steps{};
   double wall_seconds{};
   std::string state_hash;
+  /// Of the cell, in diameters of the largest sphere; NaN without a result, and in tables of older versions,
+  /// as the two below.
+  double thickness = std::numeric_limits<double>::quiet_NaN();
+  double pressure = std::numeric_limits<double>::quiet_NaN();  ///< of the bath at the end, p_a [k_n/d_s]
+  std::string preset;                                          ///< of the case; empty if not known
 
   bool jammed() const { return verdict == "jammed"; }
   bool settled() const { return verdict == "settled"; }
@@ -51,7 +56,8 @@ struct SampleTable {
 /// Reads what the samples have left in their folders.
 SampleTable table_of(const std::vector<Sample>& samples, const std::vector<std::string>& keys);
 
-/// As text; empty cells stand for what is not known.
+/// As text (the columns after the keys: cases/program/sweep/sample_columns.h); empty cells stand for what is
+/// not known.
 std::string csv(const SampleTable& table);
 
 /// Reads the table of a sweep's folder. Throws InputError.

@@ -15,9 +15,13 @@
 #include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
 #include "cases/program/run/signals.h"
+#include "cases/program/sweep/base_case.h"
+#include "cases/program/sweep/finite_size.h"
+#include "cases/program/sweep/maxima.h"
 #include "cases/program/sweep/points.h"
 #include "cases/program/sweep/pool.h"
 #include "cases/program/sweep/refinement.h"
+#include "cases/program/sweep/thin_cells.h"
 #include "cases/program/table.h"
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
@@ -31,34 +35,6 @@ using Clock = std::chrono::steady_clock;
 
 /// So often the points around a maximum are made denser.
 constexpr int most_refinements = 6;
-
-Table maxima_table(const std::vector<Curve>& curves, const std::vector<std::string>& keys) {
-  std::vector<std::string> names;
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k] != "mixture.small_fraction") {
-      names.push_back(keys[k]);
-      places.push_back(k);
-    }
-  names.insert(names.end(), {"points", "f_max", "f_max_low", "f_max_high", "known", "phi_max",
-                             "phi_max_half_width", "phi_max_samples"});
-  Table table(names);
-  for (const Curve& curve : curves) {
-    const auto m = maximum_of(curve);
-    if (!m) continue;
-    std::vector<std::string> cells;
-    cells.reserve(names.size());
-    for (const std::size_t k : places) cells.push_back(curve.points.front().values[k]);
-    cells.push_back(std::to_string(curve.points.size()));
-    for (const double f : {m->f_max, m->f_max_low, m->f_max_high}) cells.push_back(fmt::format("{:.4f}", f));
-    cells.emplace_back(m->f_max_high - m->f_max_low <= 2 * wanted_f_max ? "yes" : "no");
-    cells.push_back(fmt::format("{:.5f}", m->phi_max.mean));
-    cells.push_back(m->phi_max.samples > 1 ? fmt::format("{:.5f}", m->phi_max.half_width) : "");
-    cells.push_back(std::to_string(m->phi_max.samples));
-    table.row(cells);
-  }
-  return table;
-}
 
 /// What the sweep tells the shell: the worst that became of a sample.
 ExitCode code_of(const SampleTable& table) {
@@ -153,32 +129,37 @@ class Sweep {
     const std::vector<Point> points = points_of(table);
     write_file(order_.folder / sample_table_name, csv(table));
     write_file(order_.folder / "points.csv", csv(points, keys_));
-    write_file(order_.folder / "maxima.csv", maxima_table(curves_of(points, keys_), keys_).csv());
+    write_file(order_.folder / "maxima.csv", maxima_csv(curves_of(points, keys_), keys_));
   }
 
   void summarize() const {
     const SampleTable table = table_of(samples_, keys_);
-    Table text({"point", "samples", "jammed", "settled", "phi_J", "+-", "Z", "effective size"});
+    Table text({"point", "samples", "jammed", "settled", "phi_J", "+- (95 %)", "finite size", "Z",
+                "effective size", "thickness"});
     for (const Point& p : points_of(table)) {
       const auto& phi = p.mean_phi_J;
-      text.row({fmt::format("{}", fmt::join(p.values, " ")), std::to_string(p.samples),
-                std::to_string(p.jammed), std::to_string(p.settled),
-                phi ? fmt::format("{:.5f}", phi->mean) : "-",
-                phi && phi->samples > 1 ? fmt::format("{:.5f}", phi->half_width) : "-",
-                p.mean_Z_backbone ? fmt::format("{:.3f}", p.mean_Z_backbone->mean) : "-",
-                fmt::format("{:.0f}", p.effective_size)});
+      text.row(
+          {fmt::format("{}", fmt::join(p.values, " ")), std::to_string(p.samples), std::to_string(p.jammed),
+           std::to_string(p.settled), phi ? fmt::format("{:.5f}", phi->mean) : "-",
+           phi && phi->samples > 1 ? fmt::format("{:.5f}", phi->half_width) : "-",
+           phi ? finite_size_text(p) : "-",
+           p.mean_Z_backbone ? fmt::format("{:.3f}", p.mean_Z_backbone->mean) : "-",
+           fmt::format("{:.0f}", p.effective_size), thickness_text(p) + (p.too_thin() ? ", too thin" : "")});
     }
-    console_.out << fmt::format("points of {}\n", fmt::join(keys_, " ")) << text.aligned();
+    const Case& c = samples_.front().resolved_case;
+    console_.out << fmt::format("points of {} (p_a {}, preset {})\n", fmt::join(keys_, " "),
+                                fmt::join(c.compaction.pressure, " "), c.preset)
+                 << text.aligned();
     const std::vector<Curve> curves = curves_of(points_of(table), keys_);
     for (const Curve& curve : curves)
       if (const auto m = maximum_of(curve))
-        console_.out << fmt::format("alpha {:g}, mu {:g}: f_max {:.3f} ({:.3f} to {:.3f}), phi_max {:.4f}\n",
-                                    curve.size_ratio(), curve.friction(), m->f_max, m->f_max_low,
-                                    m->f_max_high, m->phi_max.mean);
+        console_.out << fmt::format(
+            "alpha {:g}, mu {:g}: f_max {:.3f} (95 %: {:.3f} to {:.3f}), phi_max {:.4f}\n",
+            curve.size_ratio(), curve.friction(), m->f_max, m->f_max_low, m->f_max_high, m->phi_max.mean);
     for (const SampleRow& row : table.rows)
       if (row.settled())
-        console_.out << fmt::format("{} seed {}: settled, phi {:.5f} +- {:.1e}\n", fmt::join(row.values, " "),
-                                    row.seed, row.phi, row.phi_bound);
+        console_.out << fmt::format("{} seed {}: settled, phi {:.5f} +- {:.1e} (bound)\n",
+                                    fmt::join(row.values, " "), row.seed, row.phi, row.phi_bound);
       else if (!row.jammed())
         console_.out << fmt::format("{} seed {}: {}{}\n", fmt::join(row.values, " "), row.seed, row.verdict,
                                     row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
@@ -199,9 +180,12 @@ ExitCode run_sweep(const SweepOrder& order, Console console) {
   if (!Checkpoints::none(order.folder))
     throw InputError(fmt::format("--out {} is the folder of a run; allowed: a new folder, or that of a sweep",
                                  order.folder.string()));
-  samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
+  const std::vector<std::string> keys = keys_of(order.file);
+  const std::vector<Sample> samples =
+      samples_of(order.file, keys, order.folder);  // throws before anything is made
   make_folder(order.folder);
   const FolderLock lock(order.folder);
+  write_file(order.folder / base_case_name, base_case_text(samples, keys));
   return Sweep(order, console).go();
 }
 
@@ -228,7 +212,7 @@ std::string sweep_report(const SweepFile& sweep) {
       "time      about {} on one core, {} on the {} of this machine; the longest sample {} on one core\n{}",
       samples.size(), points.size(), largest, memory / 1e9, duration_text(seconds),
       duration_text(seconds / available_threads()), available_threads(),
-      duration_text(longest / pace_of_a_core), refusals);
+      duration_text(longest / pace_of_a_core), remark_on_thin_cells(samples) + refusals);
 }
 
 }  // namespace furnas

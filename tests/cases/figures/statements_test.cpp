@@ -68,6 +68,7 @@ TEST(Studies, TakeTheLargestSamples) {
   const Study study = study_from(table);
   EXPECT_EQ(study.mono[0].samples, 3u);
   EXPECT_NEAR(study.mono[0].mean_phi_J->mean, 0.58, 1e-12);
+  EXPECT_THAT(study.remarks, ElementsAre(HasSubstr("3 samples with fewer large spheres")));
 }
 
 TEST(Studies, CountARunInTwoFoldersOnce) {
@@ -178,6 +179,31 @@ TEST(Statements, AnIntervalThatHoldsNearlyAllAgreesWithNothing) {
   EXPECT_EQ(of_number({0.760, 0.761, 0.762}), Agreement::not_reproduced);
 }
 
+TEST(Statements, CellsTooThinDecideNothing) {
+  SampleTable table = agreeing();
+  for (SampleRow& row : table.rows)
+    if (row.size_ratio == 20) row.thickness = 2.9;
+  const Study study = study_from(table);
+  const auto all = statements_of(study);
+  for (const char* what : {"α = 20, μ = 0.3, f_s = 0.29", "within 2 %", "rattle below"})
+    EXPECT_EQ(about(all, what).agreement, Agreement::not_reachable) << what;
+  EXPECT_THAT(about(all, "α = 20, μ = 0.3, f_s = 0.29").ours, HasSubstr("2.9 largest diameters thick"));
+  EXPECT_EQ(about(all, "α = 2: φ_max").agreement, Agreement::reproduced) << "of thicker cells";
+  const auto figures = figures_of(study);
+  EXPECT_THAT(report(study, figures), HasSubstr("| 2.9, too thin |"));
+  std::size_t open = 0, filled = 0;
+  for (const Series& s : figures.front().chart.series)
+    for (std::size_t k = 0; k < s.open.size(); ++k) {
+      if (s.name.find("α = 20") != s.name.npos) {
+        EXPECT_TRUE(s.open[k]);
+      }
+      if (std::isfinite(s.x[k])) ++(s.open[k] ? open : filled);
+    }
+  EXPECT_EQ(open, 7u);
+  EXPECT_EQ(filled, 7u + 2u) << "size ratio 2, and equal spheres at both ends";
+  EXPECT_THAT(csv(figures.front().chart), HasSubstr("yes\n"));
+}
+
 TEST(Statements, ALoneSampleCountsIfItIsLarge) {
   EXPECT_EQ(of_number({0.82}), Agreement::not_reachable);
   EXPECT_EQ(of_number({0.82}, 1000), Agreement::reproduced);
@@ -244,11 +270,12 @@ TEST(Figures, AreThoseOfThePaper) {
   for (const Figure& f : figures_of(study_from(agreeing()))) {
     names.push_back(f.name);
     EXPECT_FALSE(f.caption.empty());
-    EXPECT_THAT(csv(f.chart), HasSubstr("series,x,y,low,high\n"));
+    EXPECT_THAT(csv(f.chart), HasSubstr("series,x,y,low,high,too_thin\n"));
   }
-  EXPECT_THAT(names, ElementsAre("figure_2a", "figure_2b", "figure_3a", "figure_3b", "figure_4_alpha_2",
-                                 "figure_4_alpha_20", "phi_large_mu_0", "phi_small_mu_0", "phi_large_mu_0.3",
-                                 "phi_small_mu_0.3"));
+  EXPECT_THAT(names, ElementsAre("figure_2_friction_0", "figure_2_friction_0.3", "figure_3a_phi_max",
+                                 "figure_3b_f_max", "figure_4_rattlers_size_ratio_2",
+                                 "figure_4_rattlers_size_ratio_20", "phi_large_friction_0",
+                                 "phi_small_friction_0", "phi_large_friction_0.3", "phi_small_friction_0.3"));
 }
 
 }  // namespace

@@ -51,13 +51,65 @@ TEST(SampleTable, ReadsQuotedCells) {
   EXPECT_EQ(read_sample_table(folder / "").rows.at(0).reason, "all steps are spent, it waits");
 }
 
-/// The tables of furnas 0.2.0 in docs/results/study, byte for byte.
+/// The tables in docs/results/study, byte for byte.
 TEST(SampleTable, ReadsAndWritesThoseOfTheStudy) {
   for (const char* name : {"alpha_5", "alpha_20", "mono"}) {
     const std::filesystem::path folder =
         std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/results/study" / name;
-    EXPECT_EQ(csv(read_sample_table(folder)), content(folder / sample_table_name)) << name;
+    const SampleTable table = read_sample_table(folder);
+    EXPECT_EQ(csv(table), content(folder / sample_table_name)) << name;
+    EXPECT_EQ(csv(points_of(table), table.keys), content(folder / "points.csv")) << name;
   }
+}
+
+// The first versions knew neither bounds nor the thickness of cells.
+TEST(SampleTable, ReadsAnyNumberOfTheNewerColumns) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 7, 0.7)};
+  table.rows[0].thickness = 4.5;
+  table.rows[0].pressure = 1e-3;
+  table.rows[0].preset = "fast";
+  const std::string text = csv(table);
+  for (int fewer = 0; fewer <= 4; ++fewer) {
+    std::string older;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line); older += line + "\n")
+      for (int k = 0; k < fewer; ++k) line.resize(line.rfind(','));
+    const TemporaryFolder folder;
+    write_file(folder / sample_table_name, older);
+    const SampleRow row = read_sample_table(folder / "").rows.at(0);
+    EXPECT_EQ(row.phi_J, 0.7);
+    EXPECT_EQ(row.preset, fewer > 0 ? "" : "fast");
+    EXPECT_EQ(std::isfinite(row.pressure), fewer < 2);
+    EXPECT_EQ(std::isfinite(row.thickness), fewer < 3);
+  }
+  const TemporaryFolder folder;
+  write_file(folder / sample_table_name, text.substr(0, text.find(",phi,")) + "\n");
+  EXPECT_THROW(read_sample_table(folder / ""), InputError) << "far too few";
+}
+
+TEST(Points, AreTooThinBelowThreeDiameters) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("5.0", "0.3", "0.1", 1, 0.7), jammed_row("5.0", "0.3", "0.1", 2, 0.7)};
+  for (SampleRow& row : table.rows) row.thickness = 3.2;
+  EXPECT_FALSE(points_of(table)[0].too_thin());
+  table.rows[1].thickness = 2.9;
+  EXPECT_TRUE(points_of(table)[0].too_thin()) << "the thinnest counts";
+  EXPECT_EQ(thickness_text(points_of(table)[0]), "2.9");
+  table.rows[1] = spent_row("5.0", "0.3", "0.1", 2);
+  table.rows[1].thickness = 1;
+  EXPECT_FALSE(points_of(table)[0].too_thin()) << "only those that count in the mean";
+}
+
+TEST(Points, OfUnknownThicknessAreAtMostThoseOfACube) {
+  SampleTable table = paper_table();
+  table.rows = {jammed_row("20.0", "0.3", "0.1", 1, 0.8)};
+  table.rows[0].large = 10;
+  table.rows[0].small = 32'676;
+  // (pi/6 (80000 + 32676)/0.8)^(1/3)/20
+  EXPECT_NEAR(points_of(table)[0].thickness_at_most, 2.097, 1e-3);
+  EXPECT_TRUE(points_of(table)[0].too_thin());
+  EXPECT_EQ(thickness_text(points_of(table)[0]), "at most 2.1");
 }
 
 TEST(SampleTable, RefusesWhatIsNone) {
@@ -127,7 +179,7 @@ TEST(SampleTable, ReadsThoseOfOlderVersions) {
   for (std::string line; std::getline(lines, line);) older += line.substr(0, line.rfind(',')) + "\n";
   const TemporaryFolder folder;
   write_file(folder / sample_table_name, older);
-  EXPECT_EQ(csv(read_sample_table(folder / "")), text);
+  EXPECT_EQ(csv(read_sample_table(folder / "")), text) << "its preset was empty";
 }
 
 TEST(Points, WithoutAJammedSampleHaveNoMean) {

@@ -121,8 +121,9 @@ TEST_F(Sweeps, FillsItsTablesAndTheFigures) {
 
   const Ending drawn = ending_of({"figures", path("out"), "--out", path("figures")});
   ASSERT_EQ(drawn.code, 0) << drawn.out;
-  for (const char* name : {"figure_1b", "figure_2b", "figure_3a", "figure_3b", "figure_4_alpha_2",
-                           "phi_large_mu_0.3", "phi_small_mu_0.3"})
+  for (const char* name :
+       {"figure_1b_history", "figure_2_friction_0.3", "figure_3a_phi_max", "figure_3b_f_max",
+        "figure_4_rattlers_size_ratio_2", "phi_large_friction_0.3", "phi_small_friction_0.3"})
     for (const char* extension : {".csv", ".png", ".svg"})
       EXPECT_GT(fs::file_size(path("figures/") + name + extension), 60u) << name << extension;
   EXPECT_THAT(content(path("figures/report.md")), HasSubstr("| not reachable here |"));
@@ -130,8 +131,49 @@ TEST_F(Sweeps, FillsItsTablesAndTheFigures) {
   const Ending model =
       ending_of({"model", "--sweep", path("out"), "--friction", "0.3", "--out", path("m.csv")});
   ASSERT_EQ(model.code, 0) << model.out;
-  EXPECT_THAT(model.out, HasSubstr("f_max"));
+  EXPECT_THAT(model.out, AllOf(HasSubstr("f_max"), HasSubstr("95 % intervals")));
   EXPECT_THAT(content(path("m.csv")), HasSubstr("f_s,phi,low,high"));
+
+  const Ending plot = ending_of({"plot", path("out"), "--y", "energy.kinetic", "--out", path("plots/k")});
+  ASSERT_EQ(plot.code, 0) << plot.out;
+  for (const char* extension : {".csv", ".png", ".svg"})
+    EXPECT_GT(fs::file_size(path("plots/k") + extension), 60u) << extension;
+  EXPECT_THAT(content(path("plots/k.csv")), HasSubstr("series,mixture.small_fraction,energy.kinetic,low"));
+}
+
+TEST_F(Sweeps, OfEqualSpheresFollowFromTheCommandThatTheModelAsksFor) {
+  write(std::string(soft) + "[sweep]\n\"mixture.size_ratio\" = 2.0\n\"mixture.large\" = 10\n" +
+        "\"mixture.small_fraction\" = [0.3, 0.6]\n");
+  ASSERT_EQ(sweep("out").code, 0);
+  const Ending asked = ending_of({"model", "--sweep", path("out"), "--friction", "0.3"});
+  EXPECT_EQ(asked.code, 2);
+  const std::string command = "furnas sweep " + path("out/base_case.toml") + " --samples 8";
+  EXPECT_THAT(asked.out, HasSubstr(command));
+  EXPECT_THAT(ending_of({"plot", path("out"), "--out", path("p.csv")}).out, HasSubstr(command));
+  // The same with fewer and smaller samples.
+  ASSERT_EQ(ending_of({"sweep", path("out/base_case.toml"), "--samples", "2", "--set",
+                       "mixture.size_ratio=1.0", "--set", "mixture.small_fraction=0.0", "--set",
+                       "mixture.large=40", "--set", "contact.friction=0.3", "--out", path("mono")})
+                .code,
+            0);
+  EXPECT_EQ(table("mono").rows.size(), 2u);
+  EXPECT_EQ(ending_of({"model", "--sweep", path("out"), "--sweep", path("mono"), "--friction", "0.3"}).code,
+            0);
+  ASSERT_EQ(ending_of({"plot", path("out"), path("mono"), "--out", path("p.csv")}).code, 0);
+  EXPECT_THAT(content(path("p.csv")), HasSubstr("model, φ_{mono}"));
+}
+
+TEST_F(Sweeps, OfAnotherPressureAreNotMixed) {
+  write(std::string(soft) + "[sweep]\nsamples = 2\n");
+  ASSERT_EQ(sweep("out").code, 0);
+  ASSERT_EQ(sweep("other", {"--set", "compaction.pressure=2e-3"}).code, 0);
+  const Ending refused = ending_of({"figures", path("out"), path("other"), "--out", path("figures")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.out, HasSubstr("differ in compaction.pressure (0.001, 0.002)"));
+  EXPECT_FALSE(fs::exists(path("figures")));
+  const Ending plot = ending_of({"plot", path("out"), path("other"), "--out", path("p.csv")});
+  ASSERT_EQ(plot.code, 0) << plot.out;
+  EXPECT_THAT(content(path("p.csv")), HasSubstr("series,compaction.pressure,phi_J,low,high"));
 }
 
 TEST_F(Sweeps, RefinesTheMaxima) {

@@ -116,6 +116,26 @@ TEST(ChartLayout, TheLegendCoversNoData) {
     EXPECT_FALSE(covered(layout, everywhere.x[k], everywhere.y[k])) << k;
 }
 
+TEST(ChartLayout, ALegendWithoutRoomStandsRightOfTheFrame) {
+  Series everywhere{"a series", {}, {}, {}, blue, LineStyle::none, Marker::circle};
+  for (int n = 0; n < 400; ++n) {
+    everywhere.x.push_back(n % 20);
+    everywhere.y.push_back(n / 20);
+  }
+  Chart chart = chart_of(everywhere);
+  chart.y.high = 19;
+  const ChartLayout layout = layout_of(chart);
+  EXPECT_EQ(layout.y.high, 19);
+  EXPECT_GT(layout.legend.left, layout.frame.right);
+  EXPECT_LT(layout.legend.right, chart.width);
+  EXPECT_GT(layout.frame.right - layout.frame.left, 0.5 * chart.width);
+  chart.y.high.reset();
+  chart.series.resize(12, everywhere);
+  const ChartLayout high = layout_of(chart);
+  EXPECT_GT(high.legend.left, high.frame.right) << "room above would take more than the data";
+  EXPECT_LE(high.y.high, 20);
+}
+
 TEST(ChartLayout, NothingLeavesTheChart) {
   Chart chart = chart_of({"a name", {0, 1e-5}, {-1234567, 12345}});
   chart.title = "title";

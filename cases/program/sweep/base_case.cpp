@@ -1,0 +1,48 @@
+#include "cases/program/sweep/base_case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/base/require.h"
+#include "io/case_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The case of one of the samples, the first in the order of the folders.
+fs::path case_of_a_sample(const fs::path& folder) {
+  fs::path first;
+  if (fs::is_directory(folder / "samples"))
+    for (const auto& point : fs::directory_iterator(folder / "samples"))
+      for (const auto& sample : fs::directory_iterator(point))
+        if (const fs::path file = sample.path() / "case.resolved.toml"; fs::exists(file))
+          if (first.empty() || file < first) first = file;
+  return first;
+}
+
+}  // namespace
+
+std::string base_case_text(const std::vector<Sample>& samples, const std::vector<std::string>& keys) {
+  return fmt::format("# The case of all samples of this sweep, but for the seed and {}.\n{}",
+                     fmt::join(keys, ", "), resolved_toml(samples.front().resolved_case));
+}
+
+std::optional<Case> read_base_case(const fs::path& folder) {
+  fs::path file = folder / base_case_name;
+  if (!fs::exists(file)) file = case_of_a_sample(folder);
+  if (file.empty()) return {};
+  try {
+    return read_case(file);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+bool bears_on_phi_J(const Key& key) {
+  return !key.table.empty() && key.table != "output" && key.table != "compute" && !changes_no_bit(key) &&
+         key.path() != "mixture.seed" && key.path() != "mixture.large";
+}
+
+}  // namespace furnas

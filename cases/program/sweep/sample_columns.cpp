@@ -1,0 +1,110 @@
+#include "cases/program/sweep/sample_columns.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/csv.h"
+
+namespace furnas {
+namespace {
+
+using Value = SampleColumn::Value;
+
+const SampleColumn columns[] = {
+    {{"seed", "", "sample", "mixture.seed, which chooses the random start"},
+     "seed",
+     [](SampleRow& r) -> Value { return &r.seed; }},
+    {{"large", "", "total", "large spheres; 0 when there is no result"},
+     "N_l",
+     [](SampleRow& r) -> Value { return &r.large; }},
+    {{"small", "", "total", "small spheres; 0 when there is no result"},
+     "N_s",
+     [](SampleRow& r) -> Value { return &r.small; }},
+    {{"verdict", "", "sample",
+      "jammed, settled, budget or diverged as in result.json; failed: refused or crashed; unfinished: it has "
+      "not come to its end"},
+     "",
+     [](SampleRow& r) -> Value { return &r.verdict; }},
+    {{"reason", "", "sample", "why, in a sentence; ';' stands for ','"},
+     "",
+     [](SampleRow& r) -> Value { return &r.reason; }},
+    {{"phi_J", "", "sample", "packing fraction at jamming; empty unless jammed"},
+     "φ_J",
+     [](SampleRow& r) -> Value { return &r.phi_J; }},
+    {{"phi", "", "sample", "packing fraction at the end, whatever the verdict"},
+     "φ",
+     [](SampleRow& r) -> Value { return &r.phi; }},
+    {{"Z", "", "per particle", "coordination: 2 contacts/particles, rattlers included"},
+     "Z",
+     [](SampleRow& r) -> Value { return &r.Z; }},
+    {{"Z_backbone", "", "per backbone particle", "the same of the backbone alone"},
+     "Z of the backbone",
+     [](SampleRow& r) -> Value { return &r.Z_backbone; }},
+    {{"backbone", "", "total", "spheres that are no rattlers, by the threshold of the run"},
+     "spheres of the backbone",
+     [](SampleRow& r) -> Value { return &r.backbone; }},
+    {{"large_rattlers_2", "", "total", "large spheres that are rattlers when a sphere needs 2 live contacts"},
+     "large rattlers (fewer than 2 contacts)",
+     [](SampleRow& r) -> Value { return &r.large_rattlers[0]; }},
+    {{"large_rattlers_3", "", "total", "the same with 3"},
+     "large rattlers (fewer than 3 contacts)",
+     [](SampleRow& r) -> Value { return &r.large_rattlers[1]; }},
+    {{"large_rattlers_4", "", "total", "the same with 4"},
+     "large rattlers (fewer than 4 contacts)",
+     [](SampleRow& r) -> Value { return &r.large_rattlers[2]; }},
+    {{"small_rattlers_2", "", "total", "small spheres that are rattlers when a sphere needs 2 live contacts"},
+     "small rattlers (fewer than 2 contacts)",
+     [](SampleRow& r) -> Value { return &r.small_rattlers[0]; }},
+    {{"small_rattlers_3", "", "total", "the same with 3"},
+     "small rattlers (fewer than 3 contacts)",
+     [](SampleRow& r) -> Value { return &r.small_rattlers[1]; }},
+    {{"small_rattlers_4", "", "total", "the same with 4"},
+     "small rattlers (fewer than 4 contacts)",
+     [](SampleRow& r) -> Value { return &r.small_rattlers[2]; }},
+    {{"steps", "", "total", "time steps taken"}, "steps", [](SampleRow& r) -> Value { return &r.steps; }},
+    {{"wall_seconds", "s", "total", "wall-clock time of all processes that had a part in it"},
+     "wall-clock time / s",
+     [](SampleRow& r) -> Value { return &r.wall_seconds; }},
+    {{"state_hash", "", "sample", "checksum of the whole packing: equal bits, equal hash"},
+     "",
+     [](SampleRow& r) -> Value { return &r.state_hash; }},
+    {{"phi_bound", "", "sample", "of a settled one: bound on what phi may still change; else empty"},
+     "bound on φ",
+     [](SampleRow& r) -> Value { return &r.phi_bound; }},
+    {{"thickness", "", "sample",
+      "least distance between opposite faces of the cell, in diameters of the largest sphere; below 3 it "
+      "does "
+      "not stand for a large packing; empty in tables of older versions"},
+     "thickness of the cell in largest diameters",
+     [](SampleRow& r) -> Value { return &r.thickness; }},
+    {{"pressure", "k_n/d_s", "sample", "of the bath, p_a, the last of compaction.pressure"},
+     "p_a / (k_n/d_s)",
+     [](SampleRow& r) -> Value { return &r.pressure; }},
+    {{"preset", "", "sample", "the preset of the case"}, "", [](SampleRow& r) -> Value { return &r.preset; }},
+};
+
+}  // namespace
+
+std::span<const SampleColumn> sample_columns() { return columns; }
+
+std::string cell_of(const SampleColumn& column, const SampleRow& row) {
+  // A column hands out its value for reading and writing alike; the copy keeps `row` out of reach.
+  SampleRow copy = row;
+  const Value value = column.value(copy);
+  if (auto* const* words = std::get_if<std::string*>(&value)) return without_commas(**words);
+  if (auto* const* count = std::get_if<std::int64_t*>(&value)) return std::to_string(**count);
+  const double number = *std::get<double*>(value);
+  return std::isfinite(number) ? fmt::format("{}", number) : "";
+}
+
+std::optional<double> number_of(const SampleColumn& column, const SampleRow& row) {
+  SampleRow copy = row;
+  const Value value = column.value(copy);
+  if (auto* const* count = std::get_if<std::int64_t*>(&value)) return static_cast<double>(**count);
+  if (auto* const* number = std::get_if<double*>(&value); number != nullptr && std::isfinite(**number))
+    return **number;
+  return {};
+}
+
+}  // namespace furnas

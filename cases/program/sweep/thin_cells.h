@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/program/sweep/plan.h"
+
+namespace furnas {
+
+/// How wide a cell of the case is once its spheres fill 0.64 of a cube, in largest diameters; infinite where
+/// the start is a file.
+double dense_thickness(const Case& c);
+
+/// A line for a person about the points of a sweep whose cells are too thin to stand for a large packing,
+/// with the number of spheres that would do; empty if there are none.
+std::string remark_on_thin_cells(const std::vector<Sample>& samples);
+
+}  // namespace furnas

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "io/output_field.h"
+
+namespace furnas {
+
+/// What the files of a packing hold, for `furnas schema --outputs`. The writers are in the files of the
+/// formats; tests/io/packing_fields_test.cpp asks that what they write and what stands here are the same.
+
+/// An array of a VTP file, and where in it.
+struct VtpField {
+  enum class Place { field, point, cell } place;  ///< FieldData, PointData, CellData
+  OutputField about;
+};
+
+std::span<const VtpField> packing_vtp_fields();
+std::span<const VtpField> contacts_vtp_fields();
+
+/// The properties of the second line of an extended XYZ file.
+std::span<const OutputField> extended_xyz_fields();
+
+/// The columns of packing.csv.
+std::span<const OutputField> packing_csv_fields();
+
+}  // namespace furnas
