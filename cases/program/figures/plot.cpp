@@ -132,7 +132,8 @@ Plot plot_of(const PlotOrder& order) {
   const auto nothing_known = [](const SampleRow& row) { return !row.jammed() && !row.settled(); };
   Gathered all = gather(order.sweeps);
   Gathered equal = all;
-  leave_out(equal, [&](const SampleRow& row) { return row.size_ratio != 1 || nothing_known(row); });
+  const std::size_t size_ratio = place_of(equal, "mixture.size_ratio");
+  leave_out(equal, [&](const SampleRow& row) { return row.values[size_ratio] != "1" || nothing_known(row); });
   for (const std::string& where : order.where) choose(all, where);
   const std::size_t before = all.runs.size();
   leave_out(all, nothing_known);

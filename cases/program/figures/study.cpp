@@ -38,8 +38,8 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
   for (std::size_t k = 0; k < all.runs.size(); ++k)
     if (all.table.rows[k].values.front().empty())
       throw InputError(
-          fmt::format("{} starts from a file, whose size ratio is not known; allowed: sweeps of [mixture], "
-                      "or furnas plot",
+          fmt::format("{} has its spheres from a file, and no size ratio; allowed: sweeps over "
+                      "mixture.size_ratio, or furnas plot",
                       all.sweeps[k].string()));
   if (others.empty()) return;
   throw InputError(fmt::format(

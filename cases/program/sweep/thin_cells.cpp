@@ -13,7 +13,7 @@
 namespace furnas {
 
 double dense_thickness(const Case& c) {
-  if (!c.start.file.empty()) return std::numeric_limits<double>::infinity();
+  if (!c.start.file.empty() || !c.mixture.diameters.empty()) return std::numeric_limits<double>::infinity();
   constexpr double dense = 0.64;
   const Mixture mixture = mixture_of(c);
   const double spheres =
