@@ -8,6 +8,7 @@
 #include "engine/analysis/contacts.h"
 #include "engine/analysis/rattlers.h"
 #include "engine/base/sphere.h"
+#include "engine/state/species.h"
 #include "viz/palette.h"
 
 namespace furnas {
@@ -24,6 +25,23 @@ Coloured by_species(const Packing& packing) {
                   "large spheres grey, small ones gold",
                   {.words = {{rgb(large_colour), "large"}, {rgb(small_colour), "small"}}}};
   for (const Species species : packing.species) result.particles.push_back(rgb(colour_of(species)));
+  return result;
+}
+
+/// Of spheres of many sizes: from the smallest to the largest, by their ratio where they span much.
+Coloured by_size(const Packing& packing) {
+  const Sizes sizes = sizes_of(packing.radius);
+  constexpr double wide = 5;  // ratio from which equal steps of the diameter leave most spheres at one end
+  const bool logarithmic = sizes.largest > wide * sizes.smallest;
+  Coloured result{
+      {},
+      fmt::format("diameters from {:g} (dark blue) to {:g} (yellow)", sizes.smallest, sizes.largest),
+      {.title = "diameter", .scale = ColourScale{sizes.smallest, sizes.largest, logarithmic}}};
+  const auto share = [&](double diameter) {
+    return logarithmic ? std::log(diameter / sizes.smallest) / std::log(sizes.largest / sizes.smallest)
+                       : (diameter - sizes.smallest) / (sizes.largest - sizes.smallest);
+  };
+  for (const double radius : packing.radius) result.particles.push_back(graded(share(2 * radius)));
   return result;
 }
 
@@ -46,24 +64,24 @@ Coloured by_coordination(const Packing& packing) {
 
 Coloured by_rattlers(const Packing& packing, int threshold) {
   const std::vector<bool> out = rattlers(packing, live_contacts(packing), threshold);
-  const auto colour = [](bool rattles, Species species) {
+  const bool told_apart = !is_one_polydisperse_species(packing);
+  const auto colour = [&](bool rattles, Species species) {
     Colour c = rattles ? orange : blue;
-    if (species == Species::large)
+    if (told_apart && species == Species::large)
       for (double& part : c) part = 0.5 + 0.5 * part;
     return rgb(c);
   };
   Coloured result{{},
-                  fmt::format("rattlers (fewer than {} live contacts) orange, backbone blue; large spheres "
-                              "paler",
-                              threshold),
+                  fmt::format("rattlers (fewer than {} live contacts) orange, backbone blue{}", threshold,
+                              told_apart ? "; large spheres paler" : ""),
                   {}};
   for (std::size_t k = 0; k < packing.size(); ++k)
     result.particles.push_back(colour(out[k], packing.species[k]));
   for (const Species species : {Species::large, Species::small}) {
     if (std::find(packing.species.begin(), packing.species.end(), species) == packing.species.end()) continue;
-    const std::string name = species == Species::large ? "large" : "small";
-    result.legend.words.push_back({colour(false, species), name + ", backbone"});
-    result.legend.words.push_back({colour(true, species), name + ", rattler"});
+    const std::string name = !told_apart ? "" : species == Species::large ? "large, " : "small, ";
+    result.legend.words.push_back({colour(false, species), name + "backbone"});
+    result.legend.words.push_back({colour(true, species), name + "rattler"});
   }
   return result;
 }
@@ -116,7 +134,7 @@ Rgb graded(double value) {
 Coloured coloured(const Packing& packing, Colouring colouring, int backbone_threshold) {
   switch (colouring) {
     case Colouring::species:
-      return by_species(packing);
+      return is_polydisperse(packing) ? by_size(packing) : by_species(packing);
     case Colouring::coordination:
       return by_coordination(packing);
     case Colouring::rattlers:

@@ -11,7 +11,7 @@ namespace furnas {
 
 /// What the colour of a particle says.
 enum class Colouring {
-  species,       ///< large grey, small gold
+  species,       ///< large grey, small gold; where a species has several sizes, the diameter
   coordination,  ///< how many contacts it has
   rattlers,      ///< whether it is one
   pressure       ///< what its contacts press on it, against the mean

@@ -37,6 +37,22 @@ TEST(Colouring, GradesRiseInBrightness) {
   EXPECT_EQ(graded(7), graded(1));
 }
 
+/// Spheres of many sizes are neither large nor small.
+TEST(Colouring, GradesTheSizesOfAPolydispersePacking) {
+  Packing p = clique_and_rattler();
+  p.radius = {0.5, 0.75, 1, 0.5, 0.5, 0.5};
+  const Coloured linear = coloured(p, Colouring::species, 3);
+  EXPECT_EQ(linear.particles[0], graded(0));
+  EXPECT_EQ(linear.particles[1], graded(0.5));
+  EXPECT_EQ(linear.particles[2], graded(1));
+  EXPECT_THAT(linear.key, testing::HasSubstr("diameters from 1 (dark blue) to 2 (yellow)"));
+  p.radius[1] = 5, p.radius[2] = 50;
+  const Coloured wide = coloured(p, Colouring::species, 3);
+  EXPECT_EQ(wide.particles[1], graded(0.5));
+  EXPECT_TRUE(wide.legend.scale->logarithmic);
+  EXPECT_THAT(coloured(p, Colouring::rattlers, 3).key, testing::Not(testing::HasSubstr("large")));
+}
+
 TEST(Colouring, TellsRattlersFromTheBackbone) {
   const Packing p = clique_and_rattler();
   const Coloured c = coloured(p, Colouring::rattlers, 3);

@@ -12,6 +12,7 @@
 #include "cases/program/packing_source.h"
 #include "cases/program/replication.h"
 #include "engine/base/require.h"
+#include "engine/state/species.h"
 #include "io/atomic_file.h"
 #include "io/case_protocol.h"
 #include "io/frames_pvd.h"
@@ -66,8 +67,10 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   picture.width = picture.height = options.size;
   picture.style = styles.at(options.style);
   picture.colouring = colourings.at(options.colour);
-  // The block of Fig. 1a has its colours explained where it is shown.
-  if (picture.style == PictureStyle::block && picture.colouring == Colouring::species) picture.key = false;
+  // The block of Fig. 1a has its colours explained where it is shown; those of many sizes need a scale.
+  if (picture.style == PictureStyle::block && picture.colouring == Colouring::species &&
+      !is_polydisperse(source.packing))
+    picture.key = false;
   const Times times = parse_times(options.times);
   for (std::size_t k = 0; k < 3; ++k) picture.times[k] = static_cast<int>(times[k]);
   if (picture.style == PictureStyle::chains && copies_of(times) > 1)
