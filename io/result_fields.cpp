@@ -8,9 +8,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A count of one species; null where there are none to tell apart.
-Json of_species(const Result& r, std::int64_t count) {
-  return r.has_species() ? Json(count) : Json(nullptr);
-}
+Json of_species(const Result& r, std::int64_t count) { return r.has_species() ? Json(count) : Json(nullptr); }
 
 Json share(const Result& r, std::int64_t part, std::int64_t whole) {
   if (whole == 0 || !r.has_species()) return nullptr;

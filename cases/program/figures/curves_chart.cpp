@@ -16,7 +16,7 @@ namespace furnas {
 namespace {
 
 constexpr std::array curve_markers{Marker::circle, Marker::square, Marker::diamond, Marker::triangle,
-                             Marker::wedge};
+                                   Marker::wedge};
 constexpr std::array line_styles{LineStyle::solid, LineStyle::dashed, LineStyle::dotted};
 constexpr const char* fraction_key = "mixture.small_fraction";
 

@@ -41,9 +41,15 @@ Settings settings_of(const Case& c) {
   Settings settings;
   for (const Key& key : case_keys())
     if (bears_on_phi_J(key)) settings[key.path()] = plain(value_text(key, c));
-  if (!c.start.file.empty())
-    std::erase_if(settings, [](const auto& setting) { return setting.first.starts_with("mixture."); });
   return settings;
+}
+
+/// Whether the spheres are those of size_ratio and small_fraction, and not of a file.
+bool of_two_sizes(const Case& c) { return c.start.file.empty() && c.mixture.diameters.empty(); }
+
+/// Takes out what says nothing of spheres that a file lists.
+void forget_sizes(Settings& settings) {
+  for (const char* key : {"mixture.size_ratio", "mixture.small_fraction"}) settings.erase(key);
 }
 
 /// All that is known of one sample.
@@ -65,6 +71,7 @@ std::vector<Known> samples_in(const fs::path& folder, bool& of_known_case) {
     Known known{row, common, folder / folder_of_sample(table.keys, row.values, row.seed), folder};
     if (std::isfinite(row.pressure)) known.settings.try_emplace("compaction.pressure", text(row.pressure));
     for (std::size_t k = 0; k < table.keys.size(); ++k) known.settings[table.keys[k]] = spelt(row.values[k]);
+    if (base && !of_two_sizes(*base)) forget_sizes(known.settings);
     if (row.large > 0) known.settings[number_of_large] = text(static_cast<double>(row.large));
     all.push_back(std::move(known));
   }

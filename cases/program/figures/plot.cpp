@@ -17,7 +17,6 @@
 namespace furnas {
 namespace {
 
-
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
 /// The key of this name, or of this name without its table.

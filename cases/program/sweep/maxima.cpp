@@ -10,7 +10,7 @@ namespace {
 
 std::string fraction(double f) { return fmt::format("{:.4f}", f); }
 
-const MaximumColumn maximum_table[] = {
+const MaximumColumn maximum_column_table[] = {
     {{"points", "", "total", "points of the curve"},
      [](const Curve& curve, const CurveMaximum&) { return std::to_string(curve.points.size()); }},
     {{"f_max", "", "curve", "f_s at which phi_J is highest, by a fit to the samples around it"},
@@ -35,7 +35,7 @@ const MaximumColumn maximum_table[] = {
 
 }  // namespace
 
-std::span<const MaximumColumn> maximum_columns() { return maximum_table; }
+std::span<const MaximumColumn> maximum_columns() { return maximum_column_table; }
 
 std::string maxima_csv(const std::vector<Curve>& curves, const std::vector<std::string>& keys) {
   std::vector<std::string> names;
@@ -45,14 +45,14 @@ std::string maxima_csv(const std::vector<Curve>& curves, const std::vector<std::
       names.push_back(keys[k]);
       places.push_back(k);
     }
-  for (const MaximumColumn& column : maximum_table) names.emplace_back(column.about.name);
+  for (const MaximumColumn& column : maximum_column_table) names.emplace_back(column.about.name);
   Table table(names);
   for (const Curve& curve : curves) {
     const auto maximum = maximum_of(curve);
     if (!maximum) continue;
     std::vector<std::string> cells;
     for (const std::size_t k : places) cells.push_back(curve.points.front().values[k]);
-    for (const MaximumColumn& column : maximum_table) cells.push_back(column.cell(curve, *maximum));
+    for (const MaximumColumn& column : maximum_column_table) cells.push_back(column.cell(curve, *maximum));
     table.row(cells);
   }
   return table.csv();

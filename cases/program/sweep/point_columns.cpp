@@ -13,7 +13,7 @@ using Mean = const std::optional<MeanInterval>&;
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
 
-const PointColumn point_table[] = {
+const PointColumn point_column_table[] = {
     {{"large", "", "sample", "large spheres"}, [](const Point& p) { return std::to_string(p.large); }},
     {{"small", "", "sample", "small spheres"}, [](const Point& p) { return std::to_string(p.small); }},
     {{"samples", "", "total", "samples of this point"},
@@ -93,7 +93,7 @@ std::string thickness_text(const Point& p) {
   return fmt::format("{}{:.1f}", std::isfinite(p.thickness) ? "" : "at most ", p.thickness_at_most);
 }
 
-std::span<const PointColumn> point_columns() { return point_table; }
+std::span<const PointColumn> point_columns() { return point_column_table; }
 
 std::string name_of_half_width(const PointColumn& column) {
   return fmt::format("{}_half_width", column.about.name);
@@ -101,14 +101,14 @@ std::string name_of_half_width(const PointColumn& column) {
 
 std::string csv(const std::vector<Point>& points, const std::vector<std::string>& keys) {
   std::vector<std::string> names = keys;
-  for (const PointColumn& column : point_table) {
+  for (const PointColumn& column : point_column_table) {
     names.emplace_back(column.about.name);
     if (column.mean != nullptr) names.push_back(name_of_half_width(column));
   }
   Table text(names);
   for (const Point& p : points) {
     std::vector<std::string> cells = p.values;
-    for (const PointColumn& column : point_table) {
+    for (const PointColumn& column : point_column_table) {
       if (column.mean == nullptr) {
         cells.push_back(column.cell(p));
         continue;

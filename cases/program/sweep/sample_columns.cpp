@@ -11,7 +11,7 @@ namespace {
 
 using Value = SampleColumn::Value;
 
-const SampleColumn columns[] = {
+const SampleColumn sample_column_table[] = {
     {{"seed", "", "sample", "mixture.seed, which chooses the random start"},
      "seed",
      [](SampleRow& r) -> Value { return &r.seed; }},
@@ -86,7 +86,7 @@ const SampleColumn columns[] = {
 
 }  // namespace
 
-std::span<const SampleColumn> sample_columns() { return columns; }
+std::span<const SampleColumn> sample_columns() { return sample_column_table; }
 
 std::string cell_of(const SampleColumn& column, const SampleRow& row) {
   // A column hands out its value for reading and writing alike; the copy keeps `row` out of reach.

@@ -151,7 +151,7 @@ TEST(ReliableRecordFrame, GoesOnAfterTheCheckpoint) {
   });
   Observation now(simulation, 3);
   const auto record = [&](const std::string& saved, int frames) {
-    RecordFrame event(folder / "", 10);
+    RecordFrame event(folder / "", {.steps = 10});
     event.restore(saved);
     for (int n = 0; n < frames; ++n) simulation.advance(10, nullptr), event.fire(now);
     return event.saved();

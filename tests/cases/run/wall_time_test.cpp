@@ -18,6 +18,7 @@ bool ends(seconds left, seconds checkpoint) {
   const Case c;
   const TemporaryFolder folder;
   std::ostringstream out;
+  LiveLines lines(out, false);
   Requests requests;
   RestWatch watch(protocol_of(c).rest, Rhythm(0.02));
   Checkpoints checkpoints(folder / "", "a.checkpoint", static_cast<double>(checkpoint.count()));
@@ -26,8 +27,7 @@ bool ends(seconds left, seconds checkpoint) {
                  .save = [] {},
                  .first_step = 0,
                  .deadline = std::chrono::steady_clock::now() + left,
-                 .out = out,
-                 .live = false,
+                 .lines = lines,
                  .requests = requests,
                  .watch = watch,
                  .checkpoints = checkpoints};
