@@ -75,12 +75,12 @@ TEST(VtpInVtk, ParticlesAreVerticesWithAllTheirArrays) {
   EXPECT_EQ(data->GetNumberOfLines(), 0);
   EXPECT_EQ(arrays_of(data->GetFieldData()),
             (std::vector<std::string>{"cell Float64 9 x 1", "rate Float64 9 x 1", "TimeValue Float64 1 x 1",
-                                      "step Int64 1 x 1"}));
+                                      "step Int64 1 x 1", "origin Float64 3 x 1"}));
   EXPECT_EQ(arrays_of(data->GetPointData()),
-            (std::vector<std::string>{"id Int64 1 x 40", "species UInt8 1 x 40", "radius Float64 1 x 40",
-                                      "mass Float64 1 x 40", "image Int32 3 x 40", "velocity Float64 3 x 40",
-                                      "spin Float64 3 x 40", "force Float64 3 x 40", "torque Float64 3 x 40",
-                                      "coordination Int32 1 x 40"}));
+            (std::vector<std::string>{
+                "id Int64 1 x 40", "type Int32 1 x 40", "species UInt8 1 x 40", "radius Float64 1 x 40",
+                "mass Float64 1 x 40", "image Int32 3 x 40", "velocity Float64 3 x 40", "spin Float64 3 x 40",
+                "force Float64 3 x 40", "torque Float64 3 x 40", "coordination Int32 1 x 40"}));
   vtkPointData* of = data->GetPointData();
   for (std::size_t k = 0; k < p.size(); ++k) {
     const auto number = [&](const char* name) {

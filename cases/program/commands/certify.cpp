@@ -27,8 +27,8 @@ struct Options {
   int eigenvalues = CertificateTerms{}.eigenvalues;
 };
 
-/// The eigenvalues of a large packing take a while; the time is that of docs/decisions.md: 0.3 s for 1000
-/// particles, 17 s for 4756.
+/// The eigenvalues of a large packing take a while; as docs/developer/decisions/factor-instead-of-lanczos.md
+/// has it: 0.3 s for 1000 particles, 17 s for 4756.
 void announce(std::size_t particles, Console console) {
   constexpr double of_thousand = 0.3, power = 2.6, noticed = 2;  // [s]
   const double seconds = of_thousand * std::pow(static_cast<double>(particles) / 1000, power);

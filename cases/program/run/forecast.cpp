@@ -14,7 +14,7 @@ constexpr std::size_t least_looks = 12;          // for a trend
 constexpr std::size_t most_looks = 400;          // then every second is forgotten
 constexpr double carries = 0.3;                  // a stress within so much of the applied one, over p_a
 constexpr double parts[] = {0.25, 0.5, 1};       // of the record, over each of which the trend is taken
-constexpr double too_short = 2, too_long = 1.5;  // widen the range; set by 15 runs, docs/reliability.md
+constexpr double too_short = 2, too_long = 1.5;  // widen the range; set by 15 runs, docs/guide/first-steps.md
 
 }  // namespace
 

@@ -20,7 +20,7 @@ struct StepsLeft {
 /// Follows the criteria of rest to their limits: each is taken to go on as an exponential of time.
 ///
 /// It is an estimate. The packing may rearrange, which takes longer, or be stilled or minimized, which ends
-/// the run sooner: docs/reliability.md counts how often the truth lay in the range.
+/// the run sooner: docs/guide/first-steps.md counts how often the truth lay in the range.
 class Forecast {
  public:
   static constexpr std::size_t criteria = 4;  ///< stress, force balance, kinetic energy, drift
