@@ -41,8 +41,8 @@ class Saver {
   void matrix(std::string_view name, const Eigen::Matrix3d& value) {
     writer_.array<double>(name, 9, [&](std::size_t k) { return value.data()[k]; });
   }
-  template <class T>
-  void contact_field(std::string_view name, const std::vector<Contact>& contacts, T Contact::*field) {
+  template <class Contacts, class T>
+  void contact_field(std::string_view name, const Contacts& contacts, T Contact::*field) {
     writer_.array<Stored<T>>(name, contacts.size(),
                              [&](std::size_t k) -> Stored<T> { return contacts[k].*field; });
   }
@@ -121,6 +121,15 @@ void exchange_head(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.one("step", checkpoint.packing.step);
 }
 
+template <class Archive, class AnyPacking>
+void exchange_order(Archive& archive, AnyPacking& packing) {
+  archive.list("order", packing.order);
+}
+template <class Archive>
+void exchange_order(Archive& archive, const Replica& replica) {
+  archive.list("order", replica.memory_order());
+}
+
 /// The sections of a checkpoint in order, for writing and for reading.
 template <class Archive, class AnyCheckpoint>
 void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
@@ -148,7 +157,7 @@ void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.matrix("stress of contacts", p.stress.contacts);
   archive.matrix("stress of motion", p.stress.motion);
   archive.one("ledger", p.ledger);
-  archive.list("order", p.order);
+  exchange_order(archive, p);
   archive.texts(checkpoint.extras);
   archive.finish();
 }
@@ -242,6 +251,13 @@ bool is_checkpoint(const std::filesystem::path& path) {
 void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path) {
   Saver saver(path);
   CheckpointView labelled = checkpoint;
+  labelled.extras.merge(to_extras(checkpoint.packing.labels));
+  exchange(saver, labelled);
+}
+
+void write_checkpoint(const ReplicaCheckpoint& checkpoint, const std::filesystem::path& path) {
+  Saver saver(path);
+  ReplicaCheckpoint labelled = checkpoint;
   labelled.extras.merge(to_extras(checkpoint.packing.labels));
   exchange(saver, labelled);
 }

@@ -15,6 +15,7 @@ enum class ExitCode {
   folder_in_use = 8,      ///< another run works in the folder
   out_of_memory = 9,      ///< the last checkpoint is good
   samples_failed = 10,    ///< of a sweep, some or all
+  samples_left = 11,      ///< of a sweep whose wall time is spent
   interrupted = 130,      ///< a signal stopped the run after a checkpoint
 };
 

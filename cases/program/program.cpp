@@ -70,6 +70,7 @@ constexpr const char* exit_codes =
     "  8    another run works in the folder\n"
     "  9    out of memory; the last checkpoint is good\n"
     "  10   of a sweep: some or all samples failed or diverged\n"
+    "  11   of a sweep: the wall time is spent, and samples are left\n"
     "  130  stopped by a signal, and saved; resume goes on\n";
 
 /// Whether all that was printed has arrived, on a disk that may be full.

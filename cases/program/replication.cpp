@@ -43,10 +43,10 @@ std::string text_of(const Times& times) { return fmt::format("{}", fmt::join(tim
 void write_replicate(const PackingSource& source, const Times& times, const std::filesystem::path& file) {
   const bool whole = file.extension() == ".checkpoint";
   const std::string_view format = whole ? "" : format_by_extension(file);  // refused before the work
-  const Packing packing = replicate(source.packing, times);
-  if (!whole) return write_packing(packing, format, file);
+  if (!whole) return write_packing(replicate(source.packing, times), format, file);
+  const Replica replica(source.packing, times);
   const std::string case_text = source.of_case ? resolved_toml(replicated(*source.of_case, times)) : "";
-  write_checkpoint({packing, case_text, {}}, file);
+  write_checkpoint({replica, case_text}, file);
 }
 
 }  // namespace furnas

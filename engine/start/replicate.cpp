@@ -61,112 +61,28 @@ Ledger times_as_much(double factor, const Ledger& ledger) {
   return all;
 }
 
-/// Makes the replicate of a packing.
-class Replica {
- public:
-  Replica(const Packing& from, const Times& times)
-      : from_(from),
-        times_(times),
-        edges_{{{&Fraction::x, 0, times[0]}, {&Fraction::y, 1, times[1]}, {&Fraction::z, 2, times[2]}}} {}
+std::array<Edge, 3> edges_of(const Times& times) {
+  return {{{&Fraction::x, 0, times[0]}, {&Fraction::y, 1, times[1]}, {&Fraction::z, 2, times[2]}}};
+}
 
-  Packing make() {
-    cell_and_sums();
-    particles();
-    contacts();
-    labels();
-    if (!from_.order.empty()) to_.order = memory_order(to_);
-    return std::move(to_);
-  }
+/// The old cells in the new one, by their number and back.
+std::size_t number_of(const Times& cell, const Times& times) {
+  const auto at = [](std::int32_t n) { return static_cast<std::size_t>(n); };
+  return (at(cell[2]) * at(times[1]) + at(cell[1])) * at(times[0]) + at(cell[0]);
+}
+Times cell_at(std::size_t number, const Times& times) {
+  const auto nx = static_cast<std::size_t>(times[0]), ny = static_cast<std::size_t>(times[1]);
+  const auto at = [](std::size_t n) { return static_cast<std::int32_t>(n); };
+  return {at(number % nx), at(number / nx % ny), at(number / nx / ny)};
+}
 
- private:
-  std::size_t copy_at(const Times& cell) const {
-    const auto at = [](std::int32_t n) { return static_cast<std::size_t>(n); };
-    return (at(cell[2]) * at(times_[1]) + at(cell[1])) * at(times_[0]) + at(cell[0]);
-  }
-  template <class Visit>
-  void for_each_cell(Visit&& visit) const {
-    for (std::int32_t z = 0; z < times_[2]; ++z)
-      for (std::int32_t y = 0; y < times_[1]; ++y)
-        for (std::int32_t x = 0; x < times_[0]; ++x) visit(Times{x, y, z});
-  }
+Cell repeated_cell(const Cell& cell, const Times& times) {
+  const auto [nx, ny, nz] = std::array<double, 3>{double(times[0]), double(times[1]), double(times[2])};
+  const Triangle& h = cell.edges;
+  return {{h.xx * nx, h.yy * ny, h.zz * nz, h.yz * nz, h.xz * nz, h.xy * ny}, cell.rate};
+}
 
-  void cell_and_sums() {
-    const auto [nx, ny, nz] = std::array<double, 3>{double(times_[0]), double(times_[1]), double(times_[2])};
-    const Triangle& h = from_.cell.edges;
-    to_.step = from_.step;
-    to_.time = from_.time;
-    to_.cell = {{h.xx * nx, h.yy * ny, h.zz * nz, h.yz * nz, h.xz * nz, h.xy * ny}, from_.cell.rate};
-    const auto copies = static_cast<double>(copies_of(times_));
-    to_.stress = {copies * from_.stress.contacts, copies * from_.stress.motion};
-    to_.ledger = times_as_much(copies, from_.ledger);
-  }
-
-  void particles() {
-    to_.resize(from_.size() * copies_of(times_));
-    for_each_cell([&](const Times& cell) {
-      const std::size_t first = copy_at(cell) * from_.size();
-      for (std::size_t k = 0; k < from_.size(); ++k) {
-        const std::size_t n = first + k;
-        to_.species[n] = from_.species[k];
-        to_.radius[n] = from_.radius[k];
-        to_.mass[n] = from_.mass[k];
-        to_.velocity[n] = from_.velocity[k];
-        to_.spin[n] = from_.spin[k];
-        to_.force[n] = from_.force[k];
-        to_.torque[n] = from_.torque[k];
-        for (const Edge& e : edges_) {
-          to_.fraction[n].*e.component = e.fraction(from_.fraction[k], cell[e.axis]);
-          to_.image[n][e.axis] = e.image(from_.image[k], cell[e.axis]);
-        }
-      }
-    });
-  }
-
-  /// Copies have the types of their particles, and new ids.
-  void labels() {
-    to_.labels.names = from_.labels.names;
-    to_.labels.origin = from_.labels.origin;
-    for (std::size_t copy = 0; copy < copies_of(times_); ++copy)
-      to_.labels.type.insert(to_.labels.type.end(), from_.labels.type.begin(), from_.labels.type.end());
-  }
-
-  void contacts() {
-    to_.contacts.reserve(from_.contacts.size() * copies_of(times_));
-    for_each_cell([&](const Times& cell) {
-      for (const Contact& c : from_.contacts) to_.contacts.push_back(moved(c, cell));
-    });
-  }
-
-  /// The contact whose first particle is in `cell`.
-  Contact moved(const Contact& contact, const Times& cell) const {
-    Contact c = contact;
-    Times cell_of_j{};
-    for (const Edge& e : edges_) {
-      const std::uint64_t i = from_.fraction[contact.i].*e.component;
-      const std::uint64_t j = from_.fraction[contact.j].*e.component;
-      // The branch is (s_i - s_j + away) old edges: j is touched `away` cells below that of i.
-      const std::int32_t away = cells_to_nearest(i, j) + contact.image[e.axis];
-      const std::int32_t below = cell[e.axis] - away;
-      const std::int32_t new_away = -floored_quotient(below, e.times);
-      cell_of_j[e.axis] = below + new_away * e.times;
-      const std::int32_t image = new_away - cells_to_nearest(divided({cell[e.axis], i}, e.times),
-                                                             divided({cell_of_j[e.axis], j}, e.times));
-      c.image[e.axis] = static_cast<std::int8_t>(image);
-    }
-    c.i = static_cast<std::uint32_t>(copy_at(cell) * from_.size() + contact.i);
-    c.j = static_cast<std::uint32_t>(copy_at(cell_of_j) * from_.size() + contact.j);
-    return c;
-  }
-
-  const Packing& from_;
-  Times times_;
-  std::array<Edge, 3> edges_;
-  Packing to_;
-};
-
-}  // namespace
-
-Packing replicate(const Packing& packing, const Times& times) {
+const Times& checked(const Times& times, const Packing& packing) {
   auto particles = static_cast<double>(packing.size());
   for (const std::int32_t n : times) {
     if (n < 1) throw InputError("times = " + std::to_string(n) + " along an edge: allowed: 1 or more");
@@ -174,7 +90,120 @@ Packing replicate(const Packing& packing, const Times& times) {
   }
   if (particles > static_cast<double>(most_particles))
     throw InputError("more particles than " + std::to_string(most_particles));
-  return Replica(packing, times).make();
+  return times;
+}
+
+/// Copies have the types of their particles, and new ids.
+Labels repeated_labels(const Labels& from, std::size_t copies) {
+  Labels labels;
+  labels.names = from.names;
+  labels.origin = from.origin;
+  for (std::size_t copy = 0; copy < copies; ++copy)
+    labels.type.insert(labels.type.end(), from.type.begin(), from.type.end());
+  return labels;
+}
+
+template <class T>
+std::vector<T> all_of(const Computed<T>& list) {
+  std::vector<T> all;
+  all.reserve(list.size());
+  for (std::size_t k = 0; k < list.size(); ++k) all.push_back(list[k]);
+  return all;
+}
+
+}  // namespace
+
+template <class T>
+Computed<T> Replica::repeated(const std::vector<T>& once) const {
+  return {once.size() * copies_of(times_), [&once](std::size_t k) { return once[k % once.size()]; }};
+}
+
+Replica::Replica(const Packing& from, const Times& times)
+    : from_(from),
+      times_(checked(times, from)),
+      step(from.step),
+      time(from.time),
+      cell(repeated_cell(from.cell, times)),
+      stress{static_cast<double>(copies_of(times)) * from.stress.contacts,
+             static_cast<double>(copies_of(times)) * from.stress.motion},
+      ledger(times_as_much(static_cast<double>(copies_of(times)), from.ledger)),
+      species(repeated(from.species)),
+      radius(repeated(from.radius)),
+      mass(repeated(from.mass)),
+      fraction(from.size() * copies_of(times),
+               [this](std::size_t k) {
+                 const Times place = cell_at(k / from_.size(), times_);
+                 const Fraction& s = from_.fraction[k % from_.size()];
+                 Fraction divided_s{};
+                 for (const Edge& e : edges_of(times_)) divided_s.*e.component = e.fraction(s, place[e.axis]);
+                 return divided_s;
+               }),
+      image(from.size() * copies_of(times),
+            [this](std::size_t k) {
+              const Times place = cell_at(k / from_.size(), times_);
+              Image crossed{};
+              for (const Edge& e : edges_of(times_))
+                crossed[e.axis] = e.image(from_.image[k % from_.size()], place[e.axis]);
+              return crossed;
+            }),
+      velocity(repeated(from.velocity)),
+      spin(repeated(from.spin)),
+      force(repeated(from.force)),
+      torque(repeated(from.torque)),
+      contacts(from.contacts.size() * copies_of(times), [this](std::size_t k) { return moved(k); }),
+      labels(repeated_labels(from.labels, copies_of(times))) {}
+
+/// The contact of a copy: its first particle is in the copy's cell.
+Contact Replica::moved(std::size_t k) const {
+  const Times place = cell_at(k / from_.contacts.size(), times_);
+  Contact c = from_.contacts[k % from_.contacts.size()];
+  Times place_of_j{};
+  for (const Edge& e : edges_of(times_)) {
+    const std::uint64_t i = from_.fraction[c.i].*e.component;
+    const std::uint64_t j = from_.fraction[c.j].*e.component;
+    // The branch is (s_i - s_j + away) old edges: j is touched `away` cells below that of i.
+    const std::int32_t away = cells_to_nearest(i, j) + c.image[e.axis];
+    const std::int32_t below = place[e.axis] - away;
+    const std::int32_t new_away = -floored_quotient(below, e.times);
+    place_of_j[e.axis] = below + new_away * e.times;
+    const std::int32_t image_of_j = new_away - cells_to_nearest(divided({place[e.axis], i}, e.times),
+                                                                divided({place_of_j[e.axis], j}, e.times));
+    c.image[e.axis] = static_cast<std::int8_t>(image_of_j);
+  }
+  c.i = static_cast<std::uint32_t>(number_of(place, times_) * from_.size() + c.i);
+  c.j = static_cast<std::uint32_t>(number_of(place_of_j, times_) * from_.size() + c.j);
+  return c;
+}
+
+std::vector<std::uint32_t> Replica::memory_order() const {
+  if (from_.order.empty()) return {};
+  Packing places;
+  places.radius = all_of(radius);
+  places.fraction = all_of(fraction);
+  return furnas::memory_order(places);
+}
+
+Packing replicate(const Packing& packing, const Times& times) {
+  const Replica replica(packing, times);
+  Packing all;
+  all.step = replica.step;
+  all.time = replica.time;
+  all.cell = replica.cell;
+  all.stress = replica.stress;
+  all.ledger = replica.ledger;
+  all.species = all_of(replica.species);
+  all.radius = all_of(replica.radius);
+  all.mass = all_of(replica.mass);
+  all.fraction = all_of(replica.fraction);
+  all.image = all_of(replica.image);
+  all.velocity = all_of(replica.velocity);
+  all.spin = all_of(replica.spin);
+  all.force = all_of(replica.force);
+  all.torque = all_of(replica.torque);
+  all.contacts = all_of(replica.contacts);
+  all.labels = replica.labels;
+  if (!packing.order.empty()) all.order = memory_order(all);
+  return all;
 }
 
 }  // namespace furnas

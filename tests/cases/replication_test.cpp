@@ -7,6 +7,7 @@
 
 #include "engine/base/require.h"
 #include "io/checkpoint.h"
+#include "tests/cases/process.h"
 #include "tests/cases/runs.h"
 
 namespace furnas {
@@ -58,6 +59,35 @@ TEST(ReplicateCommand, WritesAStartOrAnotherFormat) {
   ASSERT_EQ(furnas({"replicate", runs.path("a"), runs.path("d.data"), "--times", "1x1x3"}).code,
             ExitCode::done);
   EXPECT_EQ(packing_source(runs.path("d.data")).packing.size(), 300U);
+}
+
+/// What is worked out while it is written is what a packing in memory would be.
+TEST(ReplicateCommand, WritesTheBytesOfTheReplicateInMemory) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=3000"}).code, ExitCode::budget_spent);
+  const PackingSource source = packing_source(runs.path("a"));
+  const Packing many = replicate(source.packing, {2, 3, 1});
+  ASSERT_GT(many.contacts.size(), 0U);
+  ASSERT_EQ(many.order.size(), many.size());
+  write_replicate(source, {2, 3, 1}, runs.path("stream.checkpoint"));
+  write_checkpoint({many, read_checkpoint(runs.path("stream.checkpoint")).case_text, {}},
+                   runs.path("memory.checkpoint"));
+  EXPECT_EQ(content(runs.path("stream.checkpoint")), content(runs.path("memory.checkpoint")));
+}
+
+/// The start of a run that needs more memory than this machine has can be written on it.
+TEST(ReplicateCommand, NeedsNoMemoryForALargeStart) {
+  const Runs runs;
+  ASSERT_EQ(runs.run("a", {"stop.steps=1000"}).code, ExitCode::budget_spent);
+  const auto peak = [&](const std::string& times) {
+    const Ending ending =
+        ending_of({"replicate", runs.path("a"), runs.path("l.checkpoint"), "--start", "--times", times});
+    EXPECT_EQ(ending.code, 0) << ending.out;
+    return ending.peak;
+  };
+  const double of_few = peak("1x1x1"), of_many = peak("20x20x10");  // 400 000 spheres, 140 bytes each
+  EXPECT_LT(of_many, of_few + 20e6);
+  EXPECT_EQ(checkpoint_step(runs.path("l.checkpoint")), 1000);
 }
 
 TEST(ReplicateCommand, RefusesBeforeItWorks) {

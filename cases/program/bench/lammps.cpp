@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cases/program/lammps_kit.h"
+#include "cases/program/shell_word.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
 #include "io/lammps_data.h"
@@ -24,31 +26,6 @@ void require_on_path(const std::string& program) {
   for (std::string folder; std::getline(folders, folder, ':');)
     if (::access((fs::path(folder) / program).c_str(), X_OK) == 0) return;
   throw InputError(program + " is not on the PATH; on Debian: apt-get install lammps openmpi-bin");
-}
-
-/// As one word of a shell.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return word + "'";
-}
-
-/// The bath of `fix nph/sphere`, whose inertia is W = (N + 1) T Pdamp^2; no bath in a fixed cell.
-std::string bath(const Packing& packing, const Model& model) {
-  const Barostat& b = model.barostat;
-  if (b.freedom == CellFreedom::fixed) return "fix 1 all nve/sphere";
-  constexpr double damp = 3;
-  const double temperature = b.inertia / (static_cast<double>(packing.size() + 1) * damp * damp);
-  return fmt::format("fix 1 all nph/sphere tri {0} {0} {1} ptemp {2} pchain 0 flip yes", b.pressure, damp,
-                     temperature);
-}
-
-std::string law(const Model& model) {
-  const HookeConstants& c = constants_of(model.law);
-  if (c.friction == 0)
-    return fmt::format("pair_style gran/hooke/history 1.0 0.0 {} 0.0 0.0 0", c.normal_damping);
-  return fmt::format("pair_style gran/hooke/history 1.0 {} {} {} {} 1", c.tangential_stiffness,
-                     c.normal_damping, c.tangential_damping, c.friction);
 }
 
 }  // namespace
@@ -74,7 +51,7 @@ if "${{dump}} == yes" then "dump 1 all custom 1 forces.dump id type radius xu yu
   "dump_modify 1 format float %.17g"
 run ${{steps}}
 )",
-                     law(model), model.time_step, bath(packing, model));
+                     lammps_law(model), model.time_step, lammps_bath(packing, model));
 }
 
 LammpsTiming timing_in(const fs::path& log) {
@@ -110,7 +87,7 @@ void Lammps::call(const LammpsSetting& setting, std::int64_t steps, int ranks, D
       "cd {} && {}lmp -in in.furnas -log log.lammps -var style {} -var newton {} -var skin {} -var steps {} "
       "-var dump {} "
       ">screen.txt 2>&1",
-      quoted(folder_.string()), ranks > 1 ? fmt::format("mpirun -np {} ", ranks) : "", setting.style,
+      shell_word(folder_.string()), ranks > 1 ? fmt::format("mpirun -np {} ", ranks) : "", setting.style,
       setting.style == "multi" ? "on" : "off", setting.skin, steps, dump == Dump::forces ? "yes" : "no");
   if (std::system(command.c_str()) == 0) return;
   if (fs::exists(folder_ / "log.lammps")) timing_in(folder_ / "log.lammps");  // its own words, if it has any

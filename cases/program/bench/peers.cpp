@@ -8,6 +8,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "cases/program/lammps_kit.h"
 #include "cases/program/packing_source.h"
 #include "engine/base/require.h"
 #include "engine/simulation.h"
@@ -15,13 +16,9 @@
 namespace furnas {
 namespace {
 
-/// The packing at rest in its cell, with velocities but without histories: as a LAMMPS data file has it.
+/// The packing as LAMMPS gets it.
 Packing start_from(const PeersOrder& order) {
-  Packing start = packing_source(order.source, order.frame).packing;
-  start.cell.rate = {};
-  start.order.clear();
-  start.contacts.clear();
-  start.image.assign(start.size(), {});  // LAMMPS counts no more than 512 cells
+  Packing start = for_lammps(packing_source(order.source, order.frame).packing);
   start.step = 0;
   start.time = 0;
   return start;

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "cases/program/commands/command.h"
+#include "cases/program/lammps_kit.h"
 #include "cases/program/packing_source.h"
 #include "engine/base/require.h"
 #include "engine/protocol/protocol.h"
@@ -82,6 +83,22 @@ void export_packing(const std::string& format, const Packing& packing, const std
   remark_on_losses(packing, format, console.err);
 }
 
+/// Not a format: a folder with all that LAMMPS needs.
+constexpr const char* kit = "lammps";
+
+std::string write_kit(const Options& o) {
+  const PackingSource source = packing_source(o.source, o.frame);
+  const auto c = case_about(source, o.source);
+  if (!c)
+    throw InputError(o.source +
+                     ": no case in it, which tells law, time step and pressure; allowed for lammps: the "
+                     "folder of a run, or "
+                     "a packing in it");
+  const std::string folder = o.out.empty() ? kit : o.out;
+  write_lammps_kit(source.packing, *c, source.reached.size(), o.source, folder);
+  return folder;
+}
+
 void require_solid_options_fit(const Options& options) {
   if (options.edge && !solid_of(options.format))
     throw InputError(fmt::format("--edge and {} exclude each other; allowed: stl, voxels", options.format));
@@ -95,17 +112,19 @@ Command export_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "export";
-  command.does = "write a packing in another format";
+  command.does = "write a packing in another format, or all that LAMMPS needs to go on with a run";
   command.example = "furnas export runs/first_packing stl --edge 0.1 --box";
   command.setup = [options](CommandLine& app) {
     add_packing_source(app, options->source, options->frame);
     app.add("FORMAT", options->format,
             names_of_written_formats() +
                 "; stl: the union of the spheres as triangles; voxels: a MetaImage, 1 in a sphere and 0 "
-                "between them, of the box that repeats")
+                "between them, of the box that repeats; lammps: a folder with data file, input deck and "
+                "README")
         .required();
-    app.add("--out", options->out,
-            "file, whose folder is made; default: packing with the format's extension");
+    app.add(
+        "--out", options->out,
+        "file, whose folder is made, or the folder of lammps; default: packing with the format's extension");
     app.add("--edge", options->edge,
             "of stl and voxels: edge of the grid [d_s]; default: a sixteenth of the smallest diameter")
         .above_zero();
@@ -116,6 +135,10 @@ Command export_command() {
   command.run = [options](Console console) {
     require_solid_options_fit(*options);
     remark_on_older_checkpoint(options->source, console.err);
+    if (options->format == kit) {
+      console.out << write_kit(*options) << '\n';
+      return ExitCode::done;
+    }
     const SolidFormat* solid = solid_of(options->format);
     const std::string extension =
         solid ? std::string(solid->extension) : std::string(extension_of(options->format));

@@ -1,23 +1,71 @@
 #include "cases/program/sweep/sweep.h"
 
-#include <memory>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include "cases/program/run/progress.h"
+#include "cases/program/run/run_folder.h"
+#include "cases/program/shell_word.h"
+#include "cases/program/sweep/slurm.h"
 #include "engine/base/parallel.h"
+#include "engine/base/require.h"
+#include "io/atomic_file.h"
 
 namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string file, out, takeover, walltime, partition;
+  std::vector<std::string> set;
+  std::optional<int> jobs;
+  int samples = 0;
+  bool refine = false, leave = false, slurm = false;
+};
+
+/// The call of a worker, for another folder to be called in.
+std::vector<std::string> command_of(const Options& o, const fs::path& folder) {
+  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep",
+                                 fs::absolute(o.file).lexically_normal().string(), "--out", folder.string()};
+  for (const std::string& assignment : o.set) words.insert(words.end(), {"--set", assignment});
+  if (o.samples > 0) words.insert(words.end(), {"--samples", std::to_string(o.samples)});
+  if (o.refine) words.emplace_back("--refine");
+  if (!o.takeover.empty()) words.insert(words.end(), {"--takeover", o.takeover});
+  return words;
+}
+
+/// Writes the script that does the sweep in Slurm, and says how to submit it.
+ExitCode write_slurm(const Options& o, const SweepOrder& order, Console console) {
+  const fs::path folder = fs::absolute(order.folder).lexically_normal();
+  std::vector<Sample> samples = samples_of(order.file, keys_of(order.file), folder);
+  const std::size_t all = samples.size();
+  std::erase_if(samples, [](const Sample& s) { return state_of(s) == SampleState::finished; });
+  const SlurmWishes wishes{o.partition, o.jobs, order.walltime};
+  const SlurmArray array = array_for(samples, wishes);
+  make_folder(folder);
+  const fs::path script = folder / "sweep.sbatch";
+  write_file(script, slurm_script(array, wishes, command_of(o, folder), folder));
+  console.out << fmt::format(
+      "array    {} task{} of {} core{}, {:.2f} GB and {}, for {} of {} samples\n"
+      "script   {}\n"
+      "submit   sbatch {}\n",
+      array.tasks, array.tasks == 1 ? "" : "s", array.cores, array.cores == 1 ? "" : "s", array.memory / 1e9,
+      duration_text(std::chrono::duration<double>(array.time).count()), samples.size(), all, script.string(),
+      shell_word(script.string()));
+  return ExitCode::done;
+}
+
+}  // namespace
 
 Command sweep_command() {
-  struct Options {
-    std::string file, out;
-    std::vector<std::string> set;
-    int jobs = available_threads();
-    int samples = 0;
-    bool refine = false;
-  };
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "sweep";
-  command.does = "run the samples of a case with [sweep], several at once; again: go on with it";
+  command.does = "run the samples of a case with [sweep], several at once; again: go on with it, or help";
   command.example = "furnas sweep cases/study/smoke.toml --out runs/smoke";
   command.setup = [options](CommandLine& app) {
     app.add("CASE", options->file, "case file with [sweep], or any with --samples").required();
@@ -29,17 +77,32 @@ Command sweep_command() {
         .between(1, 100'000);
     app.flag("--refine", options->refine,
              "add points around the maximum of each phi_J(f_s), until f_max is known to +-0.01");
+    app.add("--walltime", options->walltime, "save all samples and stop after e.g. 90s, 30m, 2h or 1d");
+    app.flag("--leave", options->leave,
+             "end when all that is left is run by other workers on the folder; else wait, and take over what "
+             "a lost one leaves");
+    app.add("--takeover", options->takeover,
+            "so long after this worker's last sign of life others may take its samples; default: 2m");
+    const Argument slurm =
+        app.flag("--slurm", options->slurm,
+                 "run nothing, but write a job array for Slurm; --jobs and --walltime are those of a task");
+    app.add("--partition", options->partition, "of Slurm").needs(slurm);
   };
   command.run = [options](Console console) {
     const bool one_point = options->samples > 0 && !holds_sweep(options->file);
-    SweepOrder order{
-        one_point ? sweep_of_one_point(options->file, options->set) : read_sweep(options->file, options->set),
-        options->out, options->jobs, options->refine};
-    if (order.folder.empty())
-      order.folder = std::filesystem::path("runs") / std::filesystem::path(options->file).stem();
+    SweepOrder order{.file = one_point ? sweep_of_one_point(options->file, options->set)
+                                       : read_sweep(options->file, options->set),
+                     .folder = options->out,
+                     .jobs = options->jobs.value_or(available_threads()),
+                     .refine = options->refine,
+                     .walltime = {},
+                     .waits = !options->leave};
+    if (!options->walltime.empty()) order.walltime = parse_duration(options->walltime, "--walltime");
+    if (!options->takeover.empty()) order.takeover = parse_duration(options->takeover, "--takeover");
+    if (order.folder.empty()) order.folder = fs::path("runs") / fs::path(options->file).stem();
     if (options->samples > 0)
       for (SweepGrid& grid : order.file.grids) grid.samples = options->samples;
-    return run_sweep(order, console);
+    return options->slurm ? write_slurm(*options, order, console) : run_sweep(order, console);
   };
   return command;
 }

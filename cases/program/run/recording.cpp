@@ -126,6 +126,19 @@ bool Checkpoints::none(const std::filesystem::path& folder) {
                       [&](const char* name) { return std::filesystem::exists(folder / name); });
 }
 
+std::optional<std::int64_t> Checkpoints::newest_step(const std::filesystem::path& folder) {
+  std::optional<std::int64_t> newest;
+  for (const char* name : checkpoint_names) {
+    if (!std::filesystem::exists(folder / name)) continue;
+    try {
+      newest = std::max(newest.value_or(0), checkpoint_step(folder / name));
+    } catch (const InputError&) {
+      // A damaged one is as good as none.
+    }
+  }
+  return newest;
+}
+
 std::optional<std::filesystem::path> Checkpoints::newer_than(const std::filesystem::path& checkpoint) {
   const std::int64_t step = checkpoint_step(checkpoint);
   for (const char* name : checkpoint_names) {

@@ -90,6 +90,9 @@ class Checkpoints {
   /// Whether a folder has none yet.
   static bool none(const std::filesystem::path& folder);
 
+  /// The step of the newer checkpoint of a folder; none without one that tells its step.
+  static std::optional<std::int64_t> newest_step(const std::filesystem::path& folder);
+
   /// The other checkpoint of a folder, if it is good and of a later step.
   static std::optional<std::filesystem::path> newer_than(const std::filesystem::path& checkpoint);
 

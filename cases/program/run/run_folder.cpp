@@ -109,7 +109,7 @@ RunFolder::~RunFolder() {
   if (made_) fs::remove(path_, left);
 }
 
-std::chrono::seconds parse_duration(const std::string& text) {
+std::chrono::seconds parse_duration(const std::string& text, const std::string& option) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
@@ -117,7 +117,7 @@ std::chrono::seconds parse_duration(const std::string& text) {
   const double scale = unit == "d" ? 86400 : unit == "h" ? 3600 : unit == "m" ? 60 : unit == "s" ? 1 : 0;
   const double seconds = value * scale;
   if (error != std::errc{} || scale == 0 || !(seconds > 0) || seconds > 1e9)
-    throw InputError("--walltime " + text +
+    throw InputError(option + " " + text +
                      (unit.empty() && error == std::errc{} ? ": seconds, minutes, hours or days? " : ": ") +
                      "allowed: a positive time with its unit, such as 90s, 30m, 2h or 1d");
   return std::chrono::seconds(static_cast<std::int64_t>(std::ceil(seconds)));

@@ -42,7 +42,7 @@ class RunFolder {
   bool kept_ = false;
 };
 
-/// "90s", "30m", "2h", "1d" or plain seconds; throws InputError.
-std::chrono::seconds parse_duration(const std::string& text);
+/// "90s", "30m", "2h" or "1d", the value of an option; throws InputError.
+std::chrono::seconds parse_duration(const std::string& text, const std::string& option = "--walltime");
 
 }  // namespace furnas

@@ -7,6 +7,7 @@
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <csignal>
+#include <system_error>
 
 namespace furnas {
 namespace {
@@ -34,5 +35,10 @@ std::optional<int> Child::ended() {
 }
 
 void Child::stop() { ::kill(process_.id(), SIGTERM); }
+
+void Child::kill() {
+  std::error_code ended;
+  process_.terminate(ended);
+}
 
 }  // namespace furnas

@@ -23,6 +23,9 @@ class Child {
   /// Asks it to save and stop.
   void stop();
 
+  /// Ends it at once, unsaved, and waits for that.
+  void kill();
+
  private:
   boost::process::child process_;
 };

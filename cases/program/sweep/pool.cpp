@@ -8,6 +8,8 @@
 #include <csignal>
 #include <fstream>
 #include <list>
+#include <map>
+#include <set>
 #include <thread>
 
 #include "cases/program/exit_code.h"
@@ -15,6 +17,7 @@
 #include "cases/program/preflight.h"
 #include "cases/program/run/folder_lock.h"
 #include "cases/program/sweep/child.h"
+#include "cases/program/sweep/turn_folder.h"
 #include "engine/simulation.h"
 #include "io/atomic_file.h"
 #include "io/case_file.h"
@@ -24,8 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+using Kind = TurnRecord::Kind;
 
-/// Whether a process that an earlier sweep has left still saves what it did.
+/// Whether a process that a worker of this machine has left behind still saves what it did.
 bool is_in_use(const fs::path& folder) {
   if (!fs::is_directory(folder)) return false;
   try {
@@ -36,30 +40,45 @@ bool is_in_use(const fs::path& folder) {
   return false;
 }
 
-Child start(const Sample& sample, int threads) {
-  fs::create_directories(sample.folder.parent_path());
+/// The name of a sample in the book.
+std::string key_of(const Sample& sample) {
+  return fmt::format("{}~{}", sample.folder.parent_path().filename().string(),
+                     sample.folder.filename().string());
+}
+
+/// The sample as it stands in the folder of a turn.
+Sample sample_in(const TurnFolder& folder, const Sample& sample) {
+  Sample there = sample;
+  there.folder = folder.run();
+  return there;
+}
+
+Child start(const Sample& sample, const TurnFolder& folder, int threads,
+            std::optional<std::chrono::seconds> walltime) {
   std::vector<std::string> arguments;
-  if (state_of(sample) == SampleState::interrupted) {
+  if (state_of(sample_in(folder, sample)) == SampleState::interrupted) {
     // What may have changed in the file of the sweep.
     const Case::Stop& stop = sample.resolved_case.stop;
-    arguments = {"resume",      sample.folder.string(),           "--steps", std::to_string(stop.steps),
+    arguments = {"resume",      folder.run().string(),
+                 "--steps",     std::to_string(stop.steps),
                  "--phi-error", fmt::format("{}", stop.phi_error)};
   } else {
-    // What a killed process has left before its first checkpoint.
-    fs::remove_all(sample.folder);
-    const std::string file = sample.folder.string() + ".toml";
-    write_file(file, resolved_toml(sample.resolved_case));
-    arguments = {"run", file, "--out", sample.folder.string()};
+    write_file(folder.case_file(), resolved_toml(sample.resolved_case));
+    arguments = {"run", folder.case_file().string(), "--out", folder.run().string()};
   }
   arguments.insert(arguments.end(), {"--threads", std::to_string(threads)});
-  return {arguments, sample.log()};
+  if (walltime) arguments.insert(arguments.end(), {"--walltime", fmt::format("{}s", walltime->count())});
+  return {arguments, folder.log()};
 }
 
 struct Running {
   const Sample* sample;
+  int turn;
   Child child;
   int threads;
   Clock::time_point since = Clock::now();
+
+  TurnFolder folder() const { return {*sample, turn}; }
 
   /// What it has probably done of its cost [particle-steps].
   double progress() const {
@@ -70,7 +89,8 @@ struct Running {
 
 class Pool {
  public:
-  Pool(const std::vector<Sample>& samples, int jobs) : jobs_(jobs) {
+  Pool(const std::vector<Sample>& samples, const PoolLimits& limits, const Worker& worker, Turns& turns)
+      : limits_(limits), turns_(turns), watch_(worker), pause_(pause_of(worker)) {
     for (const Sample& sample : samples) {
       if (state_of(sample) == SampleState::finished)
         ++standing_.done;
@@ -87,35 +107,16 @@ class Pool {
     stopping_ = true;
     for (Running& r : running_) r.child.stop();
     while (!running_.empty()) {
-      collect();
+      try {
+        collect();
+      } catch (const std::exception&) {
+        // What could not be put in its place is put there by the next worker.
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
-
-  bool empty() const { return waiting_.empty() && running_.empty(); }
-
-  /// Starts the samples that there are threads for. A sample that needs more waits, and all behind it wait,
-  /// too: if they went first, the large sample would wait for ever.
-  void start_some() {
-    int free = jobs_;
-    double memory = memory_;
-    for (const Running& r : running_) free -= r.threads, memory -= r.sample->memory();
-    for (auto next = waiting_.begin(); next != waiting_.end();) {
-      const Sample& sample = **next;
-      const int threads = threads_of(sample);
-      // A sample that is too large for the machine is refused when it runs alone, by itself.
-      if (threads > free || (sample.memory() > memory && !running_.empty())) return;
-      if (is_in_use(sample.folder)) {
-        ++next;
-        continue;
-      }
-      running_.push_back({&sample, start(sample, threads), threads});
-      free -= threads, memory -= sample.memory();
-      next = waiting_.erase(next);
-    }
-  }
 
   /// Takes note of those that have ended.
   void collect() {
@@ -125,24 +126,53 @@ class Pool {
         ++r;
         continue;
       }
-      // A sample that was just starting has nothing to save, and has not failed.
-      const bool asked = stopping_ && *code == -SIGTERM;
-      if (*code < 0 && !asked)
-        std::ofstream(r->sample->log(), std::ios::app)
-            << fmt::format("\nfurnas: signal {} has ended the process\n", -*code);
-      cost_ -= r->sample->cost();
-      ++standing_.done;
-      if (*code != static_cast<int>(ExitCode::done)) ++standing_.failed;
+      const Running ended = std::move(*r);
       r = running_.erase(r);
+      next_look_ = {};
+      take_note(ended, *code);
     }
+  }
+
+  /// From time to time, and when a sample has ended: looks what other workers do, and starts what there are
+  /// threads for. A sample that needs more waits, and all behind it wait, too: it would wait for ever if they
+  /// went first.
+  void share() {
+    if (Clock::now() < next_look_) return;
+    next_look_ = Clock::now() + pause_;
+    turns_.look();
+    lives_.clear();
+    drop_lost();
+    elsewhere_ = 0;
+    bool full = is_over() || free_threads() == 0;
+    for (auto next = waiting_.begin(); next != waiting_.end();) {
+      const Sample& sample = **next;
+      Where where = where_is(sample, full);
+      if (where == Where::free && !full) {
+        full = !fits(sample);
+        if (!full) where = begin(sample);
+      }
+      elsewhere_ += where == Where::elsewhere;
+      next = where == Where::here || where == Where::ended ? waiting_.erase(next) : std::next(next);
+    }
+  }
+
+  /// Why there is nothing more to do for this worker, if that is so.
+  std::optional<PoolEnd> end() const {
+    if (!running_.empty()) return {};
+    if (waiting_.empty()) return PoolEnd::whole;
+    const bool none_free = waiting_.size() == elsewhere_;
+    if (is_over()) return none_free ? PoolEnd::elsewhere : PoolEnd::out_of_time;
+    if (none_free && !limits_.waits) return PoolEnd::elsewhere;
+    return {};
   }
 
   SweepStanding standing() const {
     SweepStanding s = standing_;
     s.running = running_.size();
-    s.left = waiting_.size();
+    s.elsewhere = elsewhere_;
+    s.left = waiting_.size() - elsewhere_;
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-    const double expected = pace_of_a_core * jobs_;  // particle-steps a second
+    const double expected = pace_of_a_core * limits_.jobs;  // particle-steps a second
     double left = cost_;
     for (const Running& r : running_) left -= r.progress();
     // The expected pace counts like a minute of measurement.
@@ -153,14 +183,145 @@ class Pool {
   }
 
  private:
-  int threads_of(const Sample& sample) const {
-    const int most = std::clamp(threads_for(static_cast<std::size_t>(sample.particles)), 1, jobs_);
-    return std::clamp(static_cast<int>(std::ceil(sample.cost() / (all_ / jobs_))), 1, most);
+  enum class Where { free, here, elsewhere, ended };
+
+  static Clock::duration pause_of(const Worker& worker) {
+    const std::chrono::duration<double> seconds = worker.takeover() / 24;
+    return std::chrono::duration_cast<Clock::duration>(
+        std::clamp(seconds, std::chrono::duration<double>(0.05), std::chrono::duration<double>(5)));
   }
 
-  int jobs_;
+  int threads_of(const Sample& sample) const {
+    const int most = std::clamp(threads_for(static_cast<std::size_t>(sample.particles)), 1, limits_.jobs);
+    return std::clamp(static_cast<int>(std::ceil(sample.cost() / (all_ / limits_.jobs))), 1, most);
+  }
+
+  int free_threads() const {
+    int free = limits_.jobs;
+    for (const Running& r : running_) free -= r.threads;
+    return free;
+  }
+
+  bool fits(const Sample& sample) const {
+    double memory = memory_;
+    for (const Running& r : running_) memory -= r.sample->memory();
+    // A sample that is too large for the machine is refused when it runs alone, by itself.
+    return threads_of(sample) <= free_threads() && (sample.memory() <= memory || running_.empty());
+  }
+
+  /// Whole seconds until the deadline.
+  std::optional<std::chrono::seconds> time_left() const {
+    if (!limits_.deadline) return {};
+    return std::chrono::floor<std::chrono::seconds>(*limits_.deadline - Clock::now());
+  }
+
+  /// Whether no sample should begin any more.
+  bool is_over() const { return limits_.deadline && *time_left() < std::chrono::seconds(2); }
+
+  /// Where a sample is that does not run here. Whoever is busy (`full`) leaves it to others to look after
+  /// workers that are gone.
+  Where where_is(const Sample& sample, bool full) {
+    const std::string key = key_of(sample);
+    const TurnRecord last = turns_.last(key);
+    if (last.kind == Kind::none) return Where::free;
+    if (last.kind == Kind::taken) return full || !is_gone(sample, last) ? Where::elsewhere : Where::free;
+    const TurnFolder folder(sample, last.number - 1);
+    if (folder.exists()) {
+      // Whoever has ended the turn is about to put it in its place, or was killed right there.
+      if (unplaced_.insert(fmt::format("{}.{}", key, last.number)).second) return Where::elsewhere;
+      folder.publish();
+    }
+    if (last.kind == Kind::left) return Where::free;
+    // What has failed before this call is tried anew, once.
+    if (turns_.is_old(key) && state_of(sample) != SampleState::finished) return Where::free;
+    count_as_done(sample, last.code);
+    return Where::ended;
+  }
+
+  bool is_gone(const Sample& sample, const TurnRecord& taken) {
+    auto [life, fresh] = lives_.try_emplace(taken.worker);
+    if (fresh) life->second = watch_.life_of(taken.worker);
+    if (life->second == Life::ended) return !is_in_use(TurnFolder(sample, taken.number).run());
+    return life->second == Life::silent;
+  }
+
+  /// Ends what others have taken over, while this worker seemed gone.
+  void drop_lost() {
+    for (auto r = running_.begin(); r != running_.end();) {
+      if (!turns_.lost(key_of(*r->sample), r->turn)) {
+        ++r;
+        continue;
+      }
+      r->child.kill();
+      waiting_.push_back(r->sample);
+      r = running_.erase(r);
+    }
+  }
+
+  /// Takes a sample and starts it, unless another worker is first.
+  Where begin(const Sample& sample) {
+    const std::string key = key_of(sample);
+    const int threads = threads_of(sample);
+    fs::create_directories(sample.folder.parent_path());
+    const auto turn = turns_.take(key);
+    if (!turn) return Where::elsewhere;
+    const TurnFolder folder(sample, *turn);
+    try {
+      folder.make();
+      bool finished = state_of(sample) == SampleState::finished;
+      if (!finished) {
+        folder.fill();
+        finished = state_of(sample_in(folder, sample)) == SampleState::finished;
+      }
+      // By a worker that was killed before it could say so, or that said so where this one could not see it.
+      if (finished) {
+        if (turns_.end(key, *turn, Kind::done)) folder.publish();
+        count_as_done(sample, 0);
+        return Where::ended;
+      }
+      running_.push_back({&sample, *turn, start(sample, folder, threads, time_left()), threads});
+    } catch (...) {
+      if (turns_.end(key, *turn, Kind::left)) folder.publish();
+      throw;
+    }
+    return Where::here;
+  }
+
+  void take_note(const Running& ended, int code) {
+    const Sample& sample = *ended.sample;
+    const TurnFolder folder = ended.folder();
+    // A sample that was just starting has nothing to save, and has not failed.
+    const bool asked = stopping_ && code == -SIGTERM;
+    if (code < 0 && !asked)
+      std::ofstream(folder.log(), std::ios::app)
+          << fmt::format("\nfurnas: signal {} has ended the process\n", -code);
+    const bool out_of_time = code == static_cast<int>(ExitCode::budget_spent) &&
+                             state_of(sample_in(folder, sample)) != SampleState::finished;
+    const bool saved = asked || out_of_time || code == static_cast<int>(ExitCode::interrupted);
+    const bool ours = turns_.end(key_of(sample), ended.turn, saved ? Kind::left : Kind::done, code);
+    if (ours) folder.publish();
+    if (!ours || out_of_time)
+      waiting_.push_back(&sample);
+    else
+      count_as_done(sample, code);
+  }
+
+  void count_as_done(const Sample& sample, int code) {
+    cost_ -= sample.cost();
+    ++standing_.done;
+    if (code != static_cast<int>(ExitCode::done)) ++standing_.failed;
+  }
+
+  const PoolLimits limits_;
   const double memory_ = memory_limit().bytes;
-  std::list<const Sample*> waiting_;
+  Turns& turns_;
+  Watch watch_;
+  const Clock::duration pause_;  ///< between looks at what others do
+  Clock::time_point next_look_{};
+  std::map<std::string, Life> lives_;  ///< of other workers at the last look
+  std::set<std::string> unplaced_;     ///< ends of turns that were seen before the sample was in its place
+  std::list<const Sample*> waiting_;   ///< free or elsewhere
+  std::size_t elsewhere_ = 0;
   std::list<Running> running_;
   SweepStanding standing_;
   bool stopping_ = false;
@@ -170,15 +331,15 @@ class Pool {
 
 }  // namespace
 
-bool run_samples(const std::vector<Sample>& samples, int jobs, Requests& requests,
-                 const std::function<void(const SweepStanding&)>& tell) {
-  Pool pool(samples, jobs);
+PoolEnd run_samples(const std::vector<Sample>& samples, const PoolLimits& limits, const Worker& worker,
+                    Turns& turns, Requests& requests, const std::function<void(const SweepStanding&)>& tell) {
+  Pool pool(samples, limits, worker, turns);
   for (;;) {
-    if (requests.stop) return false;
+    if (requests.stop) return PoolEnd::stopped;
     pool.collect();
-    pool.start_some();
+    pool.share();
     tell(pool.standing());
-    if (pool.empty()) return true;
+    if (const auto end = pool.end()) return *end;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "cases/program/preflight.h"
-#include "cases/program/run/folder_lock.h"
 #include "cases/program/run/progress.h"
 #include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
@@ -57,9 +56,10 @@ class Line {
     if (s.done == done_ && since < pause) return;
     shown_ = Clock::now();
     done_ = s.done;
-    out_ << fmt::format("{}{} of {} samples done{}  {} running  {} to come  about {} left{}",
-                        live_ ? "\r" : "", s.done, s.done + s.running + s.left,
-                        s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running, s.left,
+    out_ << fmt::format("{}{} of {} samples done{}  {} running{}  {} to come  about {} left{}",
+                        live_ ? "\r" : "", s.done, s.done + s.running + s.elsewhere + s.left,
+                        s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running,
+                        s.elsewhere > 0 ? fmt::format("  {} elsewhere", s.elsewhere) : "", s.left,
                         duration_text(s.seconds_left), live_ ? "\033[K" : "\n")
          << std::flush;
   }
@@ -81,7 +81,10 @@ class Sweep {
       : order_(order),
         console_(console),
         keys_(keys_of(order.file)),
-        samples_(samples_of(order.file, keys_, order.folder)) {
+        samples_(samples_of(order.file, keys_, order.folder)),
+        worker_(order.folder, order.takeover),
+        turns_(order.folder, worker_) {
+    put(base_case_name, base_case_text(samples_, keys_));
     // What the file does not ask for, now or any more, counts if it is there and is not run.
     for (Sample& sample : added_samples(samples_, keys_, order.folder))
       if (order.refine || state_of(sample) == SampleState::finished) samples_.push_back(std::move(sample));
@@ -96,40 +99,87 @@ class Sweep {
                                   samples_.size());
     Requests requests;
     const SignalGuard guard(requests);
-    bool whole = run(requests);
-    for (int n = 0; whole && order_.refine && n < most_refinements; ++n) {
+    PoolEnd end = run(requests);
+    for (int n = 0; end == PoolEnd::whole && order_.refine && n < most_refinements; ++n) {
       const std::vector<Sample> added = refining_samples(samples_, keys_, order_.folder);
       if (added.empty()) break;
       console_.err << fmt::format("{} samples more around the maxima\n", added.size());
       samples_.insert(samples_.end(), added.begin(), added.end());
-      whole = run(requests);
+      end = run(requests);
     }
     summarize();
-    if (whole) return code_of(table_of(samples_, keys_));
+    return tell(end);
+  }
+
+ private:
+  PoolEnd run(Requests& requests) {
+    Line line(console_.err);
+    std::optional<std::size_t> done;
+    Clock::time_point next{};
+    const PoolLimits limits{order_.jobs, deadline(), order_.waits};
+    const PoolEnd end = run_samples(samples_, limits, worker_, turns_, requests, [&](const SweepStanding& s) {
+      line.show(s);
+      const auto now = Clock::now();
+      if (s.done == done || now < next) return;
+      write_tables();
+      done = s.done;
+      next = Clock::now() + 20 * (Clock::now() - now);  // many samples are many files to read
+    });
+    line.finish();
+    // What other workers have ended meanwhile belongs into the last tables; theirs may have been written
+    // before these.
+    while (write_tables() != csv(table_of(samples_, keys_))) {
+    }
+    if (end == PoolEnd::whole) Watch(worker_).remove_ended();
+    return end;
+  }
+
+  /// Some seconds before the wall time is over, so that tables can be written.
+  std::optional<Clock::time_point> deadline() const {
+    if (!order_.walltime) return {};
+    const std::chrono::duration<double> all = *order_.walltime;
+    return begin_ + std::chrono::duration_cast<Clock::duration>(
+                        all - std::min(0.1 * all, std::chrono::duration<double>(10)));
+  }
+
+  ExitCode tell(PoolEnd end) const {
+    switch (end) {
+      case PoolEnd::whole:
+        return code_of(table_of(samples_, keys_));
+      case PoolEnd::elsewhere:
+        console_.err << "the samples that are left are run by other workers on this folder\n";
+        return ExitCode::done;
+      case PoolEnd::out_of_time:
+        console_.err << "the wall time is spent; all samples are saved, and the same command goes on\n";
+        return ExitCode::samples_left;
+      case PoolEnd::stopped:
+        break;
+    }
     console_.err << "stopped by a signal; all samples are saved, and the same command goes on\n";
     return ExitCode::interrupted;
   }
 
- private:
-  bool run(Requests& requests) {
-    Line line(console_.err);
-    std::optional<std::size_t> done;
-    const bool whole = run_samples(samples_, order_.jobs, requests, [&](const SweepStanding& s) {
-      line.show(s);
-      if (s.done != done) write_tables();
-      done = s.done;
-    });
-    line.finish();
-    write_tables();
-    return whole;
-  }
-
-  void write_tables() const {
+  /// Answers what is in sweep.csv now.
+  std::string write_tables() const {
     const SampleTable table = table_of(samples_, keys_);
     const std::vector<Point> points = points_of(table);
-    write_file(order_.folder / sample_table_name, csv(table));
-    write_file(order_.folder / "points.csv", csv(points, keys_));
-    write_file(order_.folder / "maxima.csv", maxima_csv(curves_of(points, keys_), keys_));
+    const std::string text = csv(table);
+    put(sample_table_name, text);
+    put("points.csv", csv(points, keys_));
+    put("maxima.csv", maxima_csv(curves_of(points, keys_), keys_));
+    return text;
+  }
+
+  /// Other workers write the same file: each has one of its own, which it puts in place when it is whole.
+  void put(const char* name, const std::string& text) const {
+    const fs::path own = worker_.own_file(name), place = order_.folder / name;
+    write_file(own, text);
+    std::error_code error;
+    fs::rename(own, place, error);
+    if (!error) return;
+    fs::remove(own);
+    throw OutputError(
+        fmt::format("{}: cannot put the file in its place: {}", place.string(), error.message()));
   }
 
   void summarize() const {
@@ -170,8 +220,11 @@ class Sweep {
 
   const SweepOrder& order_;
   Console console_;
+  const Clock::time_point begin_ = Clock::now();
   std::vector<std::string> keys_;
   std::vector<Sample> samples_;
+  const Worker worker_;
+  Turns turns_;
 };
 
 }  // namespace
@@ -180,12 +233,8 @@ ExitCode run_sweep(const SweepOrder& order, Console console) {
   if (!Checkpoints::none(order.folder))
     throw InputError(fmt::format("--out {} is the folder of a run; allowed: a new folder, or that of a sweep",
                                  order.folder.string()));
-  const std::vector<std::string> keys = keys_of(order.file);
-  const std::vector<Sample> samples =
-      samples_of(order.file, keys, order.folder);  // throws before anything is made
+  samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
   make_folder(order.folder);
-  const FolderLock lock(order.folder);
-  write_file(order.folder / base_case_name, base_case_text(samples, keys));
   return Sweep(order, console).go();
 }
 

@@ -36,10 +36,10 @@ class Pools : public testing::Test {
   std::vector<std::string> command() const {
     return {"sweep", path("a.toml"), "--out", path("out"), "--jobs", "2"};
   }
-  /// Waits for a file of the long sample.
+  /// Waits for a file of the long sample while it runs.
   bool appears(const std::string& name) const {
     for (int n = 0; n < 12'000; ++n) {
-      if (fs::exists(long_sample() / name)) return true;
+      if (fs::exists(long_sample().string() + ".turn-1/run/" + name)) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;

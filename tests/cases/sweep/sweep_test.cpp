@@ -85,9 +85,10 @@ class Sweeps : public testing::Test {
   /// Waits until a sample of the sweep has been saved.
   bool saved(const std::string& out) const {
     for (int n = 0; n < 24'000; ++n) {
-      if (fs::exists(path(out) + "/samples"))
-        for (const auto& entry : fs::recursive_directory_iterator(path(out) + "/samples"))
-          if (entry.path().filename() == "b.checkpoint") return true;
+      std::error_code moved;  // into its place, while this looks
+      for (fs::recursive_directory_iterator at(path(out) + "/samples", moved), end; at != end;
+           at.increment(moved))
+        if (at->path().filename() == "b.checkpoint") return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace furnas {
+
+/// A text as one word of a shell.
+inline std::string shell_word(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyz"
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                          "_-+=.,:/@%") == std::string::npos;
+  if (plain) return text;
+  std::string word = "'";
+  for (const char letter : text) word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return word + "'";
+}
+
+}  // namespace furnas

@@ -1,0 +1,134 @@
+#include "cases/program/sweep/turns.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "cases/program/run/run_folder.h"
+#include "engine/base/numbers.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = TurnRecord::Kind;
+
+constexpr std::pair<Kind, const char*> kind_words[] = {
+    {Kind::taken, "taken"}, {Kind::left, "left"}, {Kind::done, "done"}};
+
+std::string text_of(const TurnRecord& record) {
+  const char* word = "";
+  for (const auto& [kind, name] : kind_words)
+    if (kind == record.kind) word = name;
+  return fmt::format("{} {} {}\n", word, record.worker, record.code);
+}
+
+/// A record that cannot be read, as one that is being written where there are no links, counts as taken.
+TurnRecord read_record(const fs::path& path, int number) {
+  TurnRecord record{number, Kind::taken, "", 0};
+  std::string word;
+  std::ifstream file(path);
+  if (!(file >> word >> record.worker >> record.code)) return {number, Kind::taken, "", 0};
+  for (const auto& [kind, name] : kind_words)
+    if (word == name) record.kind = kind;
+  return record;
+}
+
+/// Writes a file that is not there yet, or anew with O_TRUNC; the error number, 0 if there is none.
+int write_new(const fs::path& path, const std::string& text, int flags) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
+  if (descriptor < 0) return errno;
+  const int error =
+      ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : errno;
+  // NFS says at closing that a disk is full.
+  return ::close(descriptor) == 0 || error != 0 ? error : errno;
+}
+
+void require_written(const fs::path& path, int error) {
+  if (error != 0)
+    throw OutputError(fmt::format("{}: cannot write the file: {}", path.string(), std::strerror(error)));
+}
+
+bool has_no_links(int error) {
+  return error == EPERM || error == ENOTSUP || error == ENOSYS || error == EXDEV || error == EMLINK;
+}
+
+}  // namespace
+
+Turns::Turns(fs::path sweep, const Worker& worker) : folder_(std::move(sweep) / "turns"), worker_(worker) {
+  make_folder(folder_);
+  look();
+  for (const auto& [sample, record] : last_) at_begin_[sample] = record.number;
+}
+
+fs::path Turns::file(const std::string& sample, int number) const {
+  return folder_ / fmt::format("{}.{}", sample, number);
+}
+
+void Turns::look() {
+  std::map<std::string, int> newest;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos) continue;
+    if (const auto number = number_in<int>(name.substr(dot + 1))) {
+      int& most = newest[name.substr(0, dot)];
+      most = std::max(most, *number);
+    }
+  }
+  for (const auto& [sample, number] : newest) {
+    TurnRecord& known = last_[sample];
+    if (known.number < number || known.worker.empty()) known = read_record(file(sample, number), number);
+  }
+}
+
+TurnRecord Turns::last(const std::string& sample) const {
+  const auto found = last_.find(sample);
+  return found == last_.end() ? TurnRecord{} : found->second;
+}
+
+bool Turns::is_old(const std::string& sample) const {
+  const auto found = at_begin_.find(sample);
+  return found != at_begin_.end() && last(sample).number <= found->second;
+}
+
+/// Of several that write a record of one number one succeeds.
+bool Turns::write(const std::string& sample, const TurnRecord& record) {
+  const fs::path place = file(sample, record.number), own = worker_.own_file("record");
+  const std::string text = text_of(record);
+  require_written(own, write_new(own, text, O_TRUNC));
+  int error = ::link(own.c_str(), place.c_str()) == 0 ? 0 : errno;
+  if (has_no_links(error)) error = write_new(place, text, O_EXCL);
+  // An answer of the server that was lost makes NFS ask again, and hear that the name is taken: by this very
+  // link, which then the file counts.
+  struct stat status {};
+  if (error != 0 && ::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) error = 0;
+  ::unlink(own.c_str());
+  if (error == EEXIST) return false;
+  require_written(place, error);
+  last_[sample] = record;
+  return true;
+}
+
+std::optional<int> Turns::take(const std::string& sample) {
+  const int number = last(sample).number + 1;
+  if (!write(sample, {number, Kind::taken, worker_.name(), 0})) return {};
+  return number;
+}
+
+bool Turns::end(const std::string& sample, int turn, Kind kind, int code) {
+  return write(sample, {turn + 1, kind, worker_.name(), code});
+}
+
+bool Turns::lost(const std::string& sample, int turn) const {
+  return ::access(file(sample, turn + 1).c_str(), F_OK) == 0;
+}
+
+}  // namespace furnas

@@ -1,0 +1,149 @@
+#include "cases/program/sweep/worker.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include "engine/base/numbers.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+namespace {
+
+namespace fs = std::filesystem;
+using Seconds = std::chrono::duration<double>;
+
+constexpr double beats_in_takeover = 12;
+
+std::string first_line(const fs::path& path) {
+  std::string line;
+  std::getline(std::ifstream(path), line);
+  return line;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+constexpr const char* unknown_machine = "?";
+
+/// One start of one machine, and in it the container whose numbers of processes hold.
+std::string this_machine() {
+  std::error_code no_answer;
+  const fs::path container = fs::read_symlink("/proc/self/ns/pid", no_answer);
+  const std::string start = first_line("/proc/sys/kernel/random/boot_id");
+  return start.empty() || container.empty() ? unknown_machine : start + "/" + container.string();
+}
+
+/// When a process of this machine began, in ticks since the machine did; "" when there is none. A number of a
+/// process is given anew, with its beginning it is not.
+std::string beginning_of(const std::string& process) {
+  const std::string line = first_line("/proc/" + process + "/stat");
+  const auto name_ends = line.rfind(')');
+  if (name_ends == std::string::npos) return "";
+  const std::vector<std::string> words = words_of(line.substr(name_ends + 1));
+  constexpr std::size_t state = 0, begins = 19;
+  const bool dead = words.size() <= begins || words[state] == "Z" || words[state] == "X";
+  return dead ? "" : words[begins];
+}
+
+std::string new_name() {
+  std::array<char, 65> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("{}-{}-{:08x}", host.data(), ::getpid(), std::random_device{}());
+}
+
+}  // namespace
+
+Worker::Worker(fs::path sweep, Seconds takeover)
+    : takeover_(takeover),
+      name_(new_name()),
+      file_(std::move(sweep) / "workers" / name_),
+      who_(fmt::format("{:.3f} {} {} {}", takeover.count(), this_machine(), ::getpid(),
+                       beginning_of(std::to_string(::getpid())))) {
+  if (!beat())
+    throw OutputError(fmt::format("{}: cannot write the file: {}", file_.string(), std::strerror(errno)));
+  // Signals are for the thread of the sweep: one that lands here would not interrupt its calls.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { beat_until_over(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+  ::unlink(file_.c_str());
+}
+
+/// Writes in place and closes: so NFS hands the bytes to the server, and whoever opens the file next sees
+/// them. A file that is renamed into its place may stay hidden behind a remembered name for a minute.
+bool Worker::beat() {
+  int descriptor = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0 && errno == ENOENT) {
+    std::error_code left;
+    fs::create_directories(file_.parent_path(), left);
+    descriptor = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  }
+  if (descriptor < 0) return false;
+  const std::string text = fmt::format("{:020} {}\n", ++beats_, who_);
+  const bool written = ::pwrite(descriptor, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+  return ::close(descriptor) == 0 && written;
+}
+
+void Worker::beat_until_over() {
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, takeover_ / beats_in_takeover, [this] { return over_; })) {
+    lock.unlock();
+    beat();  // a disk that does not take it makes this worker silent, which is all there is to be done
+    lock.lock();
+  }
+}
+
+Life Watch::life_of(const std::string& worker, Clock::time_point now) {
+  const std::string text = first_line(folder_ / worker);
+  const std::vector<std::string> words = words_of(text);
+  Seconds takeover = takeover_;
+  if (words.size() > 1) takeover = Seconds(number_in<double>(words[1]).value_or(takeover.count()));
+  const auto [place, fresh] = seen_.try_emplace(worker, Seen{text, now});
+  Seen& seen = place->second;
+  if (fresh || seen.text != text) {
+    seen = {text, now};
+  } else {
+    // A longer time was no watching: this process was stopped, and the other perhaps with it.
+    seen.silence += std::min(Seconds(now - seen.last), takeover / 4);
+    seen.last = now;
+  }
+  if (seen.silence >= takeover) return Life::silent;
+  const std::string here = this_machine();
+  const bool of_this_machine = words.size() == 5 && words[2] == here && here != unknown_machine;
+  return of_this_machine && beginning_of(words[3]) != words[4] ? Life::ended : Life::alive;
+}
+
+void Watch::remove_ended() {
+  std::error_code left;  // another does the same
+  for (const auto& entry : fs::directory_iterator(folder_, left)) {
+    const std::string name = entry.path().filename().string();
+    if (life_of(name.substr(0, name.find('~'))) == Life::ended) fs::remove(entry.path(), left);
+  }
+}
+
+}  // namespace furnas
