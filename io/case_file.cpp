@@ -135,10 +135,13 @@ toml::table parse_text(std::string_view text, const std::string& name) {
   }
 }
 
-void refuse_sweep(const toml::table& root, const std::string& name) {
+void refuse_many_cases(const toml::table& root, const std::string& name) {
   if (const toml::node* sweep = root.get(sweep_table))
     throw InputError(fmt::format("{}:{}: [sweep] makes this file many cases; allowed: furnas sweep or check",
                                  name, sweep->source().begin.line));
+  if (const toml::node* arms = root.get(tradeoff_table))
+    throw InputError(fmt::format("{}:{}: [{}] makes this file many cases; allowed: furnas bench tradeoff",
+                                 name, arms->source().begin.line, tradeoff_table));
 }
 
 void apply_overrides(Case& c, std::span<const std::string> overrides, Places& places) {
@@ -202,7 +205,7 @@ bool counts(const Key& key, const Case& c) {
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides) {
   Places places;
   const toml::table root = parse_text(toml, name);
-  refuse_sweep(root, name);
+  refuse_many_cases(root, name);
   Case c = case_of(root, name, overrides, places);
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
@@ -235,7 +238,7 @@ Case case_in(const toml::table& root, const std::filesystem::path& file,
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
   const toml::table root = read_table(file);
-  refuse_sweep(root, file.string());
+  refuse_many_cases(root, file.string());
   return case_in(root, file, overrides);
 }
 

@@ -138,6 +138,7 @@ void write_result(const Result& r, const Case& c, const std::filesystem::path& p
       {"lists_built", m.rebuilds},
       {"threads", r.threads},
       {"wall_seconds", r.wall_seconds},
+      {"cpu_seconds", r.cpu_seconds},
       {"million_particle_steps_per_second",
        r.wall_seconds > 0 ? Json(static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
                                  r.wall_seconds / 1e6)

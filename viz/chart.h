@@ -45,6 +45,12 @@ struct Series {
 Series steps(std::string name, const std::vector<double>& edges, const std::vector<double>& heights,
              const Colour& colour, LineStyle line = LineStyle::solid);
 
+/// Words beside a point of the data; the chart finds a place for them where they cover no other words.
+struct ChartNote {
+  double x{}, y{};
+  std::string text;
+};
+
 /// Where the legend stands.
 enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right };
 
@@ -53,6 +59,7 @@ struct Chart {
   std::string title;  ///< above; empty: none
   ChartAxis x, y;
   std::vector<Series> series;  ///< later ones are drawn over earlier ones
+  std::vector<ChartNote> notes;
   /// `automatic` takes the emptiest corner, and makes room above the data where none is empty and `y.high` is
   /// free. Without names there is no legend.
   LegendPlace legend = LegendPlace::automatic;
