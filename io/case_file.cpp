@@ -136,10 +136,13 @@ toml::table parse_text(std::string_view text, const std::string& name) {
   }
 }
 
-void refuse_sweep(const toml::table& root, const std::string& name) {
+void refuse_many_cases(const toml::table& root, const std::string& name) {
   if (const toml::node* sweep = root.get(sweep_table))
     throw InputError(fmt::format("{}:{}: [sweep] makes this file many cases; allowed: furnas sweep or check",
                                  name, sweep->source().begin.line));
+  if (const toml::node* arms = root.get(tradeoff_table))
+    throw InputError(fmt::format("{}:{}: [{}] makes this file many cases; allowed: furnas bench tradeoff",
+                                 name, arms->source().begin.line, tradeoff_table));
 }
 
 void apply_overrides(Case& c, std::span<const std::string> overrides, KeyPlaces& places) {
@@ -203,7 +206,7 @@ bool counts(const Key& key, const Case& c) {
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides) {
   KeyPlaces places;
   const toml::table root = parse_text(toml, name);
-  refuse_sweep(root, name);
+  refuse_many_cases(root, name);
   Case c = case_of(root, name, overrides, places);
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
@@ -244,7 +247,7 @@ std::string file_path(const std::filesystem::path& case_file, std::string_view k
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
   const toml::table root = read_table(file);
-  refuse_sweep(root, file.string());
+  refuse_many_cases(root, file.string());
   return case_in(root, file, overrides);
 }
 

@@ -13,6 +13,8 @@ namespace furnas {
 
 /// The table of a case file that makes it a sweep.
 inline constexpr const char* sweep_table = "sweep";
+/// The table that makes it a comparison of arms (io/tradeoff_file.h).
+inline constexpr const char* tradeoff_table = "tradeoff";
 
 /// A case file as TOML; throws InputError, also for what is no TOML.
 toml::table read_table(const std::filesystem::path& file);

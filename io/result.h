@@ -35,6 +35,7 @@ struct Result {
   double inertia{};                        ///< W [rho d_s^5]
   int threads{};
   double wall_seconds{};      ///< of all processes that had a part in it
+  double cpu_seconds{};       ///< that their threads have computed, all together
   std::int64_t steps_here{};  ///< steps that they took
 
   /// Least distance between opposite faces of the cell, in diameters of the largest sphere. A packing that is

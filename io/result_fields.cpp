@@ -131,6 +131,7 @@ const ResultField fields[] = {
     {{"lists_built", "", "total", "neighbour lists, since the last process began"}, FURNAS_MEASURE(m.rebuilds)},
     {{"threads", "", "run", "of the last process"}, FURNAS_FIELD(r.threads)},
     {{"wall_seconds", "s", "total", "wall-clock time of all processes that had a part in it"}, FURNAS_FIELD(r.wall_seconds)},
+    {{"cpu_seconds", "s", "total", "computed by all threads of these processes; null if one of them did not say"}, FURNAS_FIELD(r.cpu_seconds)},
     {{"million_particle_steps_per_second", "10^6/s", "mean", "speed: particles times steps over wall-clock time"}, pace},
 };
 

@@ -46,6 +46,12 @@ struct Series {
 Series steps(std::string name, const std::vector<double>& edges, const std::vector<double>& heights,
              const Colour& colour, LineStyle line = LineStyle::solid);
 
+/// Words beside a point of the data; the chart finds a place for them where they cover no other words.
+struct ChartNote {
+  double x{}, y{};
+  std::string text;
+};
+
 /// Where the legend stands.
 enum class LegendPlace { automatic, none, top_left, top_right, bottom_left, bottom_right, outside };
 
@@ -54,6 +60,7 @@ struct Chart {
   std::string title;  ///< above; empty: none
   ChartAxis x, y;
   std::vector<Series> series;  ///< later ones are drawn over earlier ones
+  std::vector<ChartNote> notes;
   /// `automatic` takes an empty corner, or makes room above the data if a little is enough and `y.high` is
   /// free, or else takes `outside`, right of the frame. Without names there is no legend.
   LegendPlace legend = LegendPlace::automatic;

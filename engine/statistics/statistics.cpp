@@ -49,4 +49,27 @@ MeanInterval difference_interval(const std::vector<double>& a, const std::vector
   return d;
 }
 
+MeanInterval value_at_zero(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
+  require(x.size() == y.size(), "a sample of the line has an x and a y");
+  const MeanInterval mx = mean_interval(x, confidence), my = mean_interval(y, confidence);
+  double xx = 0, xy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx.mean) * (x[k] - mx.mean);
+    xy += (x[k] - mx.mean) * (y[k] - my.mean);
+  }
+  require(xx > 0, "a line goes through two different x");
+  const double slope = xy / xx;
+  MeanInterval zero{x.size(), my.mean - slope * mx.mean, 0, infinity};
+  if (x.size() < 3) return zero;
+  double square = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double off = y[k] - zero.mean - slope * x[k];
+    square += off * off;
+  }
+  const auto n = static_cast<double>(x.size());
+  zero.deviation = std::sqrt(square / (n - 2));
+  zero.half_width = quantile(n - 2, confidence) * zero.deviation * std::sqrt(1 / n + mx.mean * mx.mean / xx);
+  return zero;
+}
+
 }  // namespace furnas

@@ -24,4 +24,10 @@ MeanInterval mean_interval(const std::vector<double>& samples, double confidence
 MeanInterval difference_interval(const std::vector<double>& a, const std::vector<double>& b,
                                  double confidence = 0.95);
 
+/// The value at x = 0 of the straight line through samples y(x) that scatter alike at every x (least
+/// squares), with its interval by Student's t; `deviation` is that of a sample from the line. Infinite
+/// half_width for fewer than three samples; throws ContractError unless there are two different x.
+MeanInterval value_at_zero(const std::vector<double>& x, const std::vector<double>& y,
+                           double confidence = 0.95);
+
 }  // namespace furnas

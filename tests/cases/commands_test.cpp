@@ -14,6 +14,7 @@
 #include "io/case_file.h"
 #include "io/case_schema.h"
 #include "io/sweep_file.h"
+#include "io/tradeoff_file.h"
 
 namespace furnas {
 Command new_command();
@@ -90,7 +91,9 @@ TEST_F(Commands, TemplatesAreTheCaseFiles) {
     const auto file = fs::path(FURNAS_SOURCE_DIR) / "cases" / (std::string(known.file) + ".toml");
     EXPECT_EQ(known.text, read_all(file)) << file;
     EXPECT_THAT(std::string(known.text), HasSubstr("# Expect: ")) << "a case says what to expect";
-    if (holds_sweep(file)) {
+    if (known.file.starts_with("tradeoff")) {
+      EXPECT_NO_THROW(read_tradeoff(file)) << file;
+    } else if (holds_sweep(file)) {
       EXPECT_NO_THROW(read_sweep(file)) << file;
     } else {
       EXPECT_NO_THROW(read_case(file)) << file;

@@ -36,7 +36,8 @@ std::string without(const std::string& text, const std::vector<std::string>& wor
 
 std::string lasting_result(const std::string& text) {
   auto json = nlohmann::ordered_json::parse(text);
-  for (const char* key : {"wall_seconds", "million_particle_steps_per_second", "lists_built", "threads"})
+  for (const char* key :
+       {"wall_seconds", "cpu_seconds", "million_particle_steps_per_second", "lists_built", "threads"})
     json.erase(key);
   return json.dump(2);
 }
@@ -55,6 +56,7 @@ std::map<std::string, std::string> lasting_memory(const Checkpoint& checkpoint) 
   auto extras = checkpoint.extras;
   std::string& counts = extras["counts: replaced lists_built wall_seconds ended"];
   counts = counts.substr(0, counts.find(' ')) + counts.substr(counts.rfind(' '));
+  extras.erase("cpu seconds");
   return extras;
 }
 

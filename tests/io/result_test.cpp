@@ -45,6 +45,7 @@ Result example(Verdict verdict) {
   r.time_step = 0.032415;
   r.pressure = 1e-4;
   r.wall_seconds = 2;
+  r.cpu_seconds = 3.5;
   r.steps_here = 1'000'000;
   r.threads = 3;
   return r;
@@ -89,6 +90,7 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["steps"], 123456);
   EXPECT_EQ(json["time"], 4000.5);
   EXPECT_EQ(json["wall_seconds"], 2);
+  EXPECT_EQ(json["cpu_seconds"], 3.5);
   EXPECT_EQ(json["million_particle_steps_per_second"], 500);
   EXPECT_EQ(json["particles"], 1000);
   EXPECT_EQ(json["threads"], 3);

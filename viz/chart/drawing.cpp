@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viz/chart/layout.h"
+#include "viz/chart/notes.h"
 #include "viz/chart/text.h"
 
 namespace furnas {
@@ -35,6 +36,7 @@ class ChartDrawing {
     }
     draw_titles();
     draw_legend();
+    draw_notes();
   }
 
  private:
@@ -203,6 +205,19 @@ class ChartDrawing {
       draw_marker({(from + to) / 2, y}, s, all_open);
       write(canvas_, {to + size_.gap, y}, s.name, size_.label, {Across::left, Along::centre});
       y -= size_.row;
+    }
+  }
+
+  /// A line leads to what a distant note is about.
+  void draw_notes() {
+    const std::vector<PlacedNote> placed = place_notes(chart_, layout_);
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+      const auto& [box, point, led] = placed[k];
+      if (!(box.right > box.left)) continue;
+      const Spot near{std::clamp(point.x, box.left, box.right), std::clamp(point.y, box.bottom, box.top)};
+      if (led) canvas_.line({near, point}, large_colour, 0.4 * size_.line);
+      write(canvas_, {box.left, box.bottom}, chart_.notes[k].text, size_of_notes(chart_),
+            {Across::left, Along::bottom});
     }
   }
 

@@ -11,6 +11,7 @@
 #include "cases/program/bench/prepare.h"
 #include "cases/program/bench/roofline.h"
 #include "cases/program/bench/speed.h"
+#include "cases/program/bench/tradeoff/tradeoff.h"
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
 #include "cases/program/run/run_folder.h"
@@ -29,6 +30,7 @@ struct Options {
   std::optional<CommandLine> error;
   std::optional<CommandLine> peers;
   std::optional<CommandLine> prepare;
+  std::optional<CommandLine> tradeoff;
 
   PackingChoice packings;
   std::vector<double> friction{0.3};
@@ -39,6 +41,7 @@ struct Options {
   std::string csv;
   PeersOrder match;
   PrepareOrder making;
+  TradeoffOrder arms;
 };
 
 /// One thread and all of them.
@@ -110,6 +113,22 @@ void declare_prepare(CommandLine& bench, Options& o) {
   o.prepare->add("--walltime", o.making.walltime, "stop each case and save after e.g. 30m or 2h");
 }
 
+void declare_tradeoff(CommandLine& bench, Options& o) {
+  o.tradeoff =
+      bench.subcommand("tradeoff", "settings side by side: seconds to the end, and phi with its error");
+  o.arms.jobs = available_threads();
+  o.tradeoff->add("FILE", o.arms.file, "cases and arms, as cases/tradeoff.toml").required();
+  o.tradeoff->add("--out", o.arms.folder, "folder for samples, tables and charts; again: go on with it")
+      .required();
+  o.tradeoff->add("--jobs", o.arms.jobs, "threads of all samples together; default: all of the machine")
+      .between(1, 1024);
+  o.tradeoff->add("--samples", o.arms.samples, "seeds of each arm, instead of those of the file")
+      .between(1, 100'000);
+  o.tradeoff->add("--cases", o.arms.cases, "only these cases").separated_by(',');
+  o.tradeoff->add("--arms", o.arms.arms, "only these arms, and the reference").separated_by(',');
+  o.tradeoff->flag("--report", o.arms.report_only, "run nothing: tables and charts of what is there");
+}
+
 ExitCode speed(Options& o, Console console) {
   std::map<int, double> bandwidth;
   const std::size_t bytes =
@@ -179,12 +198,14 @@ Command bench_command() {
             declare_speed(app, *options);
             declare_error(app, *options);
             declare_peers(app, *options);
+            declare_tradeoff(app, *options);
           },
       .run =
           [options](Console console) {
             if (options->prepare->parsed()) return prepare_packings(options->making, console);
             if (options->speed->parsed()) return speed(*options, console);
             if (options->error->parsed()) return error(*options, console);
+            if (options->tradeoff->parsed()) return run_tradeoff(options->arms, console);
             return peers(*options, console);
           },
   };

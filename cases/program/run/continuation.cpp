@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 #include "cases/program/build_info.h"
@@ -22,6 +23,7 @@ constexpr const char* resting_states_key = "resting states: pressure phi step";
 constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
 constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
 constexpr const char* counts_key = "counts: replaced lists_built wall_seconds ended";
+constexpr const char* cpu_key = "cpu seconds";
 constexpr std::string_view event_key = "event: ";
 
 std::string rows_of(const std::vector<RestingState>& reached) {
@@ -86,7 +88,8 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
       {window_key, rows_of(c.watch.window)},
       {look_key, fmt::format("{} {} {} {}", c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance,
                              c.watch.kinetic_energy)},
-      {counts_key, fmt::format("{} {} {} {}", c.replaced, c.lists_built, c.wall_seconds, place_of(c.ended))}};
+      {counts_key, fmt::format("{} {} {} {}", c.replaced, c.lists_built, c.wall_seconds, place_of(c.ended))},
+      {cpu_key, fmt::format("{}", c.cpu_seconds)}};
   for (const auto& [name, saved] : c.events) extras[std::string(event_key) + name] = saved;
   return extras;
 }
@@ -121,6 +124,10 @@ Continuation continuation_of(const Checkpoint& checkpoint) {
                     ended < std::size(ends),
                 counts_key);
   c.ended = ends[ended];
+  if (checkpoint.extras.contains(cpu_key))
+    require_saved(Numbers(text_under(checkpoint, cpu_key)).take_all(c.cpu_seconds), cpu_key);
+  else
+    c.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [key, saved] : checkpoint.extras)
     if (key.starts_with(event_key)) c.events[key.substr(event_key.size())] = saved;
   return c;

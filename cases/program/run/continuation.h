@@ -16,6 +16,7 @@ namespace furnas {
 /// What a stopped run hands to the process that goes on with it, besides its packing and its case.
 struct Continuation : RunState {
   double wall_seconds{};         ///< of all its processes
+  double cpu_seconds{};          ///< of the threads of all its processes; NaN if one did not say
   std::optional<Verdict> ended;  ///< jammed or settled: nothing is left but to tell it
 };
 

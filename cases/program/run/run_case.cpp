@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <numeric>
 #include <ostream>
 
@@ -74,6 +75,7 @@ class Run {
   /// All that the run needs to go on from here.
   CheckpointView whole();
   double wall_seconds() const;
+  double cpu_seconds() const;
 
   RunOrder order_;
   const std::filesystem::path folder_;
@@ -137,8 +139,13 @@ double Run::wall_seconds() const {
   return order_.past.wall_seconds + std::chrono::duration<double>(Clock::now() - order_.begin).count();
 }
 
+double Run::cpu_seconds() const {
+  return order_.past.cpu_seconds + static_cast<double>(std::clock() - order_.cpu_begin) / CLOCKS_PER_SEC;
+}
+
 CheckpointView Run::whole() {
-  return {run_->now().packing(), case_text_, to_extras({run_->state(), wall_seconds(), ended_})};
+  return {run_->now().packing(), case_text_,
+          to_extras({run_->state(), wall_seconds(), cpu_seconds(), ended_})};
 }
 
 Result Run::result_of(const Outcome& outcome) {
@@ -169,6 +176,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.threads = run_->simulation().threads();
   result.steps_here = now.step();
   result.wall_seconds = wall_seconds();
+  result.cpu_seconds = cpu_seconds();
   result.reached = run_->reached(outcome.verdict);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,6 +27,7 @@ struct RunOrder {
   std::string remark;           ///< a line to be shown first; empty if there is nothing to remark
   std::optional<std::chrono::seconds> walltime;
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  ///< of the wall time
+  std::clock_t cpu_begin = std::clock();  ///< of the time that the process has computed
 };
 
 /// The order to run a valid case from its start; the folder is still to be named. Throws InputError.

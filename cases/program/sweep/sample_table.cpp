@@ -71,6 +71,8 @@ void take_result(SampleRow& row, const Json& r) {
   row.thickness = number(r.value("thickness_in_largest_diameters", Json()));
   row.steps = r.at("steps");
   row.wall_seconds = r.at("wall_seconds");
+  row.cpu_seconds = number(r.value("cpu_seconds", Json()));
+  row.evaluations = r.value("minimizer_evaluations", std::int64_t{0});
   row.state_hash = r.at("state_hash");
 }
 

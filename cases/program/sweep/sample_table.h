@@ -34,6 +34,8 @@ struct SampleRow {
       std::numeric_limits<double>::quiet_NaN();  ///< of a settled one, on what phi may still change; NaN else
   std::int64_t steps{};
   double wall_seconds{};
+  double cpu_seconds = std::numeric_limits<double>::quiet_NaN();  ///< of all threads; NaN in a read table
+  std::int64_t evaluations{};  ///< of the minimizer; 0 in a table that was read
   std::string state_hash;
   /// Of the cell, in diameters of the largest sphere; NaN without a result, and in tables of older versions,
   /// as the two below.

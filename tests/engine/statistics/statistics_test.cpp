@@ -53,5 +53,32 @@ TEST(MeanInterval, HoldsTheMeanAsOftenAsItSays) {
   EXPECT_NEAR(static_cast<double>(difference_hits) / experiments, 0.9, error);  // Welch: nearly exact
 }
 
+// y = 1 + 2x at x = 1, 2, 3 with residuals 0.1, -0.2, 0.1: s^2 = 0.06, s_0 = s (1/3 + 4/2)^(1/2), t(1)
+// = 12.7062.
+TEST(ValueAtZero, FollowsTheClosedForm) {
+  const MeanInterval zero = value_at_zero({1, 2, 3}, {3.1, 4.8, 7.1});
+  EXPECT_NEAR(zero.mean, 1, 1e-12);
+  EXPECT_NEAR(zero.deviation, std::sqrt(0.06), 1e-12);
+  EXPECT_NEAR(zero.half_width, 12.7062 * std::sqrt(0.06 * (1.0 / 3 + 2)), 1e-4);
+  EXPECT_TRUE(std::isinf(value_at_zero({1, 2}, {3, 5}).half_width));
+  EXPECT_THROW(value_at_zero({1, 1, 1}, {3, 5, 4}), ContractError);
+}
+
+/// As HoldsTheMeanAsOftenAsItSays, for a line.
+TEST(ValueAtZero, HoldsTheValueAsOftenAsItSays) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> noise(0, 3);
+  int hits = 0;
+  constexpr int experiments = 4000;
+  for (int n = 0; n < experiments; ++n) {
+    const std::vector<double> x{1, 1, 2, 2, 5, 5};
+    std::vector<double> y;
+    for (const double at : x) y.push_back(7 - 4 * at + noise(random));
+    const MeanInterval zero = value_at_zero(x, y, 0.9);
+    hits += zero.low() < 7 && 7 < zero.high();
+  }
+  EXPECT_NEAR(static_cast<double>(hits) / experiments, 0.9, 4 * std::sqrt(0.9 * 0.1 / experiments));
+}
+
 }  // namespace
 }  // namespace furnas

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/case.h"
+
+namespace furnas {
+
+/// A case with the keys of an arm in it.
+struct TradeoffArm {
+  std::string name;
+  Case c;
+  bool pressure_alone{};  ///< the arm changes compaction.pressure, to one value, and nothing else
+};
+
+/// Arms that are compared on one case.
+struct TradeoffCase {
+  std::string name;
+  std::string reference;  ///< the arm that the others are compared with; one of `arms`
+  int samples = 1;        ///< of each arm: seeds from mixture.seed on
+  double margin{};        ///< of equivalence, in phi
+  std::vector<TradeoffArm> arms;
+};
+
+/// A file of `furnas bench tradeoff`: a case file whose tables give what all runs share, and besides them
+///
+///     [tradeoff]                      # samples, margin, reference
+///     [cases.NAME]                    # keys of the case in quotes; samples, margin, reference of its own
+///     [arms.NAME]                     # keys in quotes, preset among them; cases = ["NAME", ...]: only these
+///
+/// in the order of the file. Names are made of letters, digits and "._+-", for they become folders.
+struct TradeoffFile {
+  std::vector<TradeoffCase> cases;
+};
+
+/// Throws InputError that names file, line, key, value and what is allowed.
+TradeoffFile read_tradeoff(const std::filesystem::path& file);
+
+}  // namespace furnas
