@@ -113,7 +113,7 @@ TEST(NightlyLammpsKit, FirstForcesAreThoseOfLammps) {
   const Runs runs(two_sizes);
   const std::string kit = export_kit(runs, "20000");
   ASSERT_EQ(lammps(kit, 1, 0), 0) << content(kit + "/screen.0");
-  const Packing theirs = read_last_lammps_frame(kit + "/packing.dump");
+  const Packing theirs = read_lammps_frame(kit + "/packing.dump");
   const PackingSource source = packing_source(runs.path("run"));
   const Packing ours =
       make_simulation(model_of(*source.of_case, source.packing), for_lammps(source.packing))->packing();
@@ -136,7 +136,7 @@ TEST(NightlyLammpsKit, LammpsGoesOnAndFurnasTakesItBack) {
   ASSERT_EQ(lammps(kit, 2, 2000), 0) << content(kit + "/screen.2000");
   const Answer imported = furnas({"import", kit + "/packing.dump"});
   EXPECT_EQ(imported.code, ExitCode::done) << imported.err;
-  const Packing after = read_last_lammps_frame(kit + "/packing.dump");
+  const Packing after = read_lammps_frame(kit + "/packing.dump");
   EXPECT_EQ(after.step, 5000);
   EXPECT_GT(after.fraction_filled(), before) << "the same bath goes on";
   EXPECT_THAT(content(kit + "/history.csv"),

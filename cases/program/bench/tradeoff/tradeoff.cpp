@@ -61,15 +61,20 @@ class Tradeoff {
   bool run() const {
     Requests requests;
     const SignalGuard guard(requests);
+    const Worker worker(order_.folder, usual_takeover);
+    Turns turns(order_.folder, worker);
+    PoolLimits limits;
+    limits.jobs = order_.jobs;
     std::optional<std::size_t> done;
-    return run_samples(samples_, order_.jobs, requests, [&](const SweepStanding& s) {
+    const auto tell = [&](const SweepStanding& s) {
       if (s.done == done) return;
       done = s.done;
       console_.err << fmt::format("{} of {} samples done  about {} left\n", s.done, samples_.size(),
                                   duration_text(s.seconds_left))
                    << std::flush;
       write_tables();
-    });
+    };
+    return run_samples(samples_, limits, worker, turns, requests, tell) == PoolEnd::whole;
   }
 
   SampleTable table() const { return table_of(samples_, {"case", "arm"}); }
