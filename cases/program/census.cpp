@@ -112,10 +112,9 @@ std::string refusal_of_units(const Census& n, const Case& c) {
   return fmt::format(
       "lengths are in d_s, the diameter of the smallest spheres, and masses in rho d_s^3; the smallest "
       "sphere of "
-      "{} has the "
-      "diameter {:g} and the density {:.6g}. Rescale it: furnas import {} --scale {:.10g} --density {:.10g} "
-      "--out "
-      "start.vtp",
+      "{} has the diameter {:g} and the density {:.6g}. Rescale it: furnas import {} --scale {:.10g} "
+      "--density "
+      "{:.6g} --out start.vtp",
       c.start.file, n.sizes.smallest, n.density[0], c.start.file, 1 / n.sizes.smallest, n.density[0]);
 }
 
