@@ -35,6 +35,7 @@ const std::vector<std::string> guide_pages{"README.md",
                                            "docs/guide/analysis.md",
                                            "docs/guide/pictures.md",
                                            "docs/guide/sweeps.md",
+                                           "docs/guide/how-sure.md",
                                            "docs/guide/other-programs.md"};
 
 /// A line of a block ```sh, and what its comment says.

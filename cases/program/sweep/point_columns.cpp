@@ -78,8 +78,8 @@ const PointColumn point_column_table[] = {
       "does not stand for a large packing; empty if not known"},
      [](const Point& p) { return std::isfinite(p.thickness) ? fmt::format("{:.3g}", p.thickness) : ""; }},
     {{"finite_size", "", "sample",
-      "what phi_J of a large packing is above this one for the number of spheres alone, as the study has it; "
-      "or unknown"},
+      "what phi_J of a large packing is above this one because of the number of spheres alone, and how well "
+      "the study knows that; unknown where it has not been measured; empty without phi_J"},
      finite_size_text},
     {{"pressure", "k_n/d_s", "sample", "of the bath, p_a"},
      [](const Point& p) { return number(p.pressure); }},
