@@ -182,12 +182,12 @@ TEST(FilesOfOthers, CheckTakesTheMassesOfTheStart) {
   EXPECT_THAT(answer.out, HasSubstr(fmt::format("large-large  restitution {:.4f}", restitution)));
   EXPECT_THAT(answer.out, HasSubstr("density   4\n"));
   ASSERT_EQ(furnas({"run", runs.path("dens.toml"), "--out", runs.path("a"), "--set", "contact.friction=0",
-                    "--set", "compaction.time_step=0.02"})
+                    "--set", "compaction.time_step=0.0025", "--set", "stop.steps=20_000"})
                 .code,
             ExitCode::budget_spent);
   const Packing after = read_packing(runs.path("a/packing.vtp"));
   EXPECT_NEAR((after.velocity[1].x - after.velocity[0].x) / 0.02, restitution, 0.001)
-      << "of second order in the step";
+      << "the pair parts within a step";
 }
 
 TEST(FilesOfOthers, CheckRefusesAnUnstableStart) {

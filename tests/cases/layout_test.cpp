@@ -56,7 +56,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"cases", {"engine", "io", "viz"}},
     {"tests/engine", {"engine"}},
     {"tests/fuzz", {"engine", "io"}},
-    {"tests/io", {"engine", "io", "tests/engine/support", "tests/fuzz"}},
+    {"tests/io", {"engine", "io", "tests/engine", "tests/fuzz"}},
     {"tests/library", {"engine", "io"}},
     {"tests/viz", {"engine", "io", "viz", "tests/io"}},
     {"tests/benchmarks", {"engine", "io"}},

@@ -37,7 +37,7 @@ bool lies_in(const Packing& p, const Vec3<double>& x) {
 TEST(Solid, PlanesAgreeWithBruteForce) {
   const Packing p = sheared();
   const Solid solid = periodic_solid(p);
-  const PointGrid grid = voxel_grid(solid, 0.13);
+  const PointGrid grid = voxel_grid(solid, 0.12);
   SolidPlanes planes(solid, grid);
   std::vector<std::uint8_t> plane(static_cast<std::size_t>(grid.in_a_plane()));
   std::int64_t inside = 0;
