@@ -36,7 +36,7 @@ Coloured by_size(const Packing& packing) {
   Coloured result{
       {},
       fmt::format("diameters from {:g} (dark blue) to {:g} (yellow)", sizes.smallest, sizes.largest),
-      {.title = "diameter", .scale = ColourScale{sizes.smallest, sizes.largest, logarithmic}}};
+      {.title = "diameter [d_s]", .scale = ColourScale{sizes.smallest, sizes.largest, logarithmic}}};
   const auto share = [&](double diameter) {
     return logarithmic ? std::log(diameter / sizes.smallest) / std::log(sizes.largest / sizes.smallest)
                        : (diameter - sizes.smallest) / (sizes.largest - sizes.smallest);

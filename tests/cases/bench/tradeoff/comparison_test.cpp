@@ -53,7 +53,7 @@ TEST(Tradeoff, StandingIsReadOffTheInterval) {
 // With the samples that are named the interval decides: equivalent for a small difference, different for a
 // large.
 TEST(Tradeoff, SamplesToDecideDo) {
-  for (const double d : {0.0, 0.002, 0.004, 0.006, 0.009, 0.02}) {
+  for (const double d : {0.0, 0.002, 0.004, 0.006, 0.009, 0.021}) {
     constexpr double a = 0.03, b = 0.02, margin = 0.01;
     const auto n = static_cast<double>(samples_to_decide(a, b, d, margin));
     MeanInterval difference{0, d, 0, 2 * std::sqrt((a * a + b * b) / n)};
