@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -74,9 +75,14 @@ class SharedSweep {
 
   std::unique_ptr<Process> worker(const std::string& out, int machine,
                                   const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{"sweep", path("a.toml"), "--out", path(out), "--jobs",
-                                   "1",     "--takeover",   "1s"};
+    std::vector<std::string> words{"sweep", path("a.toml"), "--out", path(out)};
     words.insert(words.end(), more.begin(), more.end());
+    const auto unless_told = [&](const std::string& option, const std::string& value) {
+      if (std::find(more.begin(), more.end(), option) == more.end())
+        words.insert(words.end(), {option, value});
+    };
+    unless_told("--jobs", "1");
+    unless_told("--takeover", "1s");
     return std::make_unique<Process>(
         words, std::map<std::string, std::string>{{"LD_PRELOAD", FURNAS_MACHINE_FAULTS},
                                                   {"FURNAS_OTHER_MACHINE", std::to_string(machine)}});
@@ -124,7 +130,10 @@ class SharedSweep {
 std::vector<pid_t> children_of(pid_t parent) {
   std::vector<pid_t> found;
   for (const auto& entry : fs::directory_iterator("/proc")) {
-    const std::string status = content(entry.path() / "stat");
+    if (std::atoi(entry.path().filename().c_str()) == 0) continue;
+    std::ifstream file(entry.path() / "stat");
+    std::string status;
+    std::getline(file, status);  // nothing of a process that ends meanwhile
     const auto name_ends = status.rfind(')');
     if (name_ends == std::string::npos) continue;
     std::istringstream rest(status.substr(name_ends + 1));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/program/preflight.h"
+#include "tests/cases/process.h"
 #include "tests/cases/runs.h"
 
 namespace furnas {
@@ -52,9 +53,9 @@ TEST(SlurmScripts, CallTheWorkerWithLessTimeThanTheTask) {
 
 TEST(SlurmScripts, AreWrittenWithTheCommandThatSubmitsThem) {
   const Runs runs("[mixture]\nlarge = 100\n[sweep]\nsamples = 4\n");
-  const Answer answer =
-      furnas({"sweep", runs.path("case.toml"), "--out", runs.path("out"), "--slurm", "--samples", "3"});
-  ASSERT_EQ(answer.code, ExitCode::done) << answer.err;
+  const Ending answer =
+      ending_of({"sweep", runs.path("case.toml"), "--out", runs.path("out"), "--slurm", "--samples", "3"});
+  ASSERT_EQ(answer.code, 0) << answer.out;
   EXPECT_THAT(answer.out, HasSubstr("submit   sbatch " + runs.path("out/sweep.sbatch")));
   EXPECT_THAT(answer.out, HasSubstr("1 task of 3 cores"));
   const std::string script = content(runs.path("out/sweep.sbatch"));
