@@ -19,10 +19,10 @@ namespace {
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// The key of this name, or of this name without its table.
+/// The key of this name, of this name without its table, or of this symbol.
 std::string key_named(const std::string& name, const Gathered& all, const char* option) {
   for (const std::string& key : all.table.keys)
-    if (key == name || name_in(key) == name) return key;
+    if (key == name || name_in(key) == name || key == key_of_symbol(name)) return key;
   throw InputError(fmt::format("{} {}: these sweeps have no such key; allowed: {}", option, name,
                                fmt::join(all.table.keys, ", ")));
 }

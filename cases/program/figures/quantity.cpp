@@ -78,12 +78,15 @@ std::optional<double> field_of_result(const std::string& name, const std::filesy
 }
 
 struct KnownKey {
-  std::string_view key, symbol, unit;
+  std::string_view key, word, symbol, unit;  ///< the word is the symbol as it can be typed
 };
 
 constexpr KnownKey known_keys[] = {
-    {"mixture.size_ratio", "α", ""}, {"mixture.small_fraction", "f_s", ""},     {"contact.friction", "μ", ""},
-    {"mixture.large", "N_l", ""},    {"compaction.pressure", "p_a", "k_n/d_s"},
+    {"mixture.size_ratio", "alpha", "α", ""},
+    {"mixture.small_fraction", "f_s", "f_s", ""},
+    {"contact.friction", "mu", "μ", ""},
+    {"mixture.large", "N_l", "N_l", ""},
+    {"compaction.pressure", "p_a", "p_a", "k_n/d_s"},
 };
 
 }  // namespace
@@ -99,6 +102,12 @@ Quantity quantity_named(const std::string& name) {
     }
   return {name, spaced(name),
           [name](const SampleRow&, const std::filesystem::path& run) { return field_of_result(name, run); }};
+}
+
+std::string key_of_symbol(const std::string& symbol) {
+  for (const KnownKey& known : known_keys)
+    if (known.word == symbol) return std::string(known.key);
+  return {};
 }
 
 std::string symbol_of_key(const std::string& key) {

@@ -24,6 +24,9 @@ struct Quantity {
 /// result.json, with dots between what is nested ("stress.xx"). Throws InputError for a word.
 Quantity quantity_named(const std::string& name);
 
+/// The key that a symbol of docs/reference/notation.md stands for, as "f_s"; empty if there is none.
+std::string key_of_symbol(const std::string& symbol);
+
 /// A key of the case on the axis of a chart: "μ", "p_a / (k_n/d_s)", "cell damping".
 std::string title_of_key(const std::string& key);
 

@@ -110,8 +110,9 @@ std::vector<std::string> keys_of(const SweepFile& sweep) {
     return std::any_of(grid.axes.begin(), grid.axes.end(),
                        [](const SweepAxis& axis) { return axis.key == start_key; });
   };
-  if (!sweep.base.start.file.empty() || std::any_of(sweep.grids.begin(), sweep.grids.end(), reads))
-    keys = {"contact.friction"};
+  if (!sweep.base.start.file.empty() || !sweep.base.mixture.diameters.empty() ||
+      std::any_of(sweep.grids.begin(), sweep.grids.end(), reads))
+    keys = {"contact.friction"};  // the sizes are those of a file
   std::map<std::string, std::set<std::string>> values;
   for (const SweepGrid& grid : sweep.grids)
     for (const SweepAxis& axis : grid.axes) values[axis.key].insert(axis.values.begin(), axis.values.end());

@@ -8,7 +8,7 @@
 namespace furnas {
 
 /// How wide a cell of the case is once its spheres fill 0.64 of a cube, in largest diameters; infinite where
-/// the spheres are those of a file.
+/// the start is a packing in a file.
 double dense_thickness(const Case& c);
 
 /// A line for a person about the points of a sweep whose cells are too thin to stand for a large packing,

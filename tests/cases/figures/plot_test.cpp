@@ -79,6 +79,8 @@ TEST(Plots, DrawAColumnAgainstAKeyWithCurvesByAnother) {
   EXPECT_THAT(series_named(plot.chart, "μ = 0.3").x, ElementsAre(0.1, 0.3, 0.5));
   EXPECT_THAT(series_named(plot.chart, "μ = 0.3").y, ElementsAre(1000, 1000, 1000));
   EXPECT_EQ(plot.chart.title, "α = 5");
+  EXPECT_EQ(plot_of({.sweeps = {folder}, .x = "f_s", .y = "steps", .by = {"mu"}}).name, plot.name)
+      << "by the symbols";
 }
 
 TEST(Plots, HaveErrorBarsOfStudentsT) {

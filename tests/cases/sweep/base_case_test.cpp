@@ -42,6 +42,19 @@ TEST(BaseCase, KnowsWhatBearsOnPhi) {
     EXPECT_FALSE(bears_on_phi_J(*find_key(key))) << key;
 }
 
+TEST(ThinCells, OfAListOfDiametersAreMeasuredByTheLargest) {
+  const TemporaryFolder folder;
+  Case c;
+  c.mixture.diameters = folder / "list.txt";
+  write_file(c.mixture.diameters, "20\n40\n40\n");
+  // (pi/6 (1 + 8 + 8)/0.64)^(1/3)/2
+  EXPECT_NEAR(dense_thickness(c), 1.202, 1e-3);
+  SweepFile sweep{c, {{{{"contact.friction", {"0.1", "0.3"}}}, 1, "here"}}};
+  EXPECT_EQ(keys_of(sweep), std::vector<std::string>{"contact.friction"});
+  EXPECT_THAT(remark_on_thin_cells(samples_of(sweep, keys_of(sweep), "")),
+              HasSubstr("lists 15.5 times as long"));
+}
+
 TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
   const auto remark = [](std::vector<std::string> larges) {
     const SweepFile sweep = sweep_over(std::move(larges));
