@@ -41,6 +41,10 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> arrows = {
     {"engine/simulation",
      {"engine/base", "engine/state", "engine/graph", "engine/laws", "engine/model", "engine/search",
       "engine/start", "engine/monitor", "engine/phases", "engine/step"}},
+    // A few spheres whose motion is known, for tests and benchmarks.
+    {"engine/trials",
+     {"engine/base", "engine/state", "engine/laws", "engine/model", "engine/search", "engine/phases",
+      "engine/simulation"}},
     {"engine/compaction",
      {"engine/base", "engine/state", "engine/model", "engine/monitor", "engine/simulation"}},
     // An event knows the loop that fires it; the loop knows no event.

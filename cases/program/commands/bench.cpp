@@ -7,6 +7,8 @@
 #include <optional>
 #include <ostream>
 
+#include "cases/program/bench/panels/error_panel.h"
+#include "cases/program/bench/panels/panel.h"
 #include "cases/program/bench/peers.h"
 #include "cases/program/bench/prepare.h"
 #include "cases/program/bench/roofline.h"
@@ -31,6 +33,7 @@ struct Options {
   std::optional<CommandLine> peers;
   std::optional<CommandLine> prepare;
   std::optional<CommandLine> tradeoff;
+  std::vector<CommandLine> panels;  ///< in the order of panels()
 
   PackingChoice packings;
   std::vector<double> friction{0.3};
@@ -42,6 +45,9 @@ struct Options {
   PeersOrder match;
   PrepareOrder making;
   TradeoffOrder arms;
+  fs::path error_folder;  ///< empty: no files
+  fs::path panel_folder = "runs/panels";
+  bool quick = false;
 };
 
 /// One thread and all of them.
@@ -81,7 +87,7 @@ void declare_error(CommandLine& bench, Options& o) {
   o.error->add("--friction", o.friction, "contact.friction").separated_by(',').showing_default();
   o.error->add("--law", o.measure.law, "contact.law").showing_default();
   o.error->add("--precision", o.precision, "compute.precision").separated_by(',').showing_default();
-  o.error->add("--csv", o.csv, "file for all of it");
+  o.error->add("--out", o.error_folder, "folder for the table and a chart");
 }
 
 void declare_peers(CommandLine& bench, Options& o) {
@@ -129,6 +135,14 @@ void declare_tradeoff(CommandLine& bench, Options& o) {
   o.tradeoff->flag("--report", o.arms.report_only, "run nothing: tables and charts of what is there");
 }
 
+void declare_panels(CommandLine& bench, Options& o) {
+  for (const Panel& panel : panels()) {
+    CommandLine& app = o.panels.emplace_back(bench.subcommand(panel.name, panel.does));
+    app.add("--out", o.panel_folder, "folder for table and chart").showing_default();
+    app.flag("--quick", o.quick, "a second of it: orders and closed forms, fewer points");
+  }
+}
+
 ExitCode speed(Options& o, Console console) {
   std::map<int, double> bandwidth;
   const std::size_t bytes =
@@ -159,19 +173,18 @@ ExitCode speed(Options& o, Console console) {
 }
 
 ExitCode error(Options& o, Console console) {
-  Table table({"packing", "N", "mu", "precision", "contacts", "median", "worst", "missed", "spurious"});
+  std::vector<ForceErrorRow> rows;
   for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
     for (const double friction : o.friction)
-      for (const std::string& precision : o.precision) {
-        const ForceError e = force_error(model_for({o.measure.law, friction, precision}, packing), packing);
-        table.row({name, fmt::format("{}", packing.size()), fmt::format("{:g}", friction), precision,
-                   fmt::format("{}", e.contacts), fmt::format("{:.2e}", e.median),
-                   fmt::format("{:.2e}", e.largest), fmt::format("{}", e.missed),
-                   fmt::format("{}", e.spurious)});
-      }
+      for (const std::string& precision : o.precision)
+        rows.push_back({name, packing.size(), friction, precision,
+                        force_error(model_for({o.measure.law, friction, precision}, packing), packing)});
   });
-  console.out << table.aligned();
-  if (!o.csv.empty()) write_file(o.csv, table.csv());
+  const PanelResult result = panel_of(rows);
+  if (o.error_folder.empty())
+    console.out << result.table.aligned();
+  else
+    show_panel("error", result, o.error_folder, console);
   return ExitCode::done;
 }
 
@@ -182,6 +195,11 @@ ExitCode peers(Options& o, Console console) {
   const ExitCode code = compare_with_lammps(o.match, console);
   if (passing) fs::remove_all(o.match.folder);  // what went wrong stays to be looked at
   return code;
+}
+
+ExitCode show(const Panel& panel, Options& o, Console console) {
+  show_panel(panel.name, panel.make(o.quick ? Effort::quick : Effort::full), o.panel_folder, console);
+  return ExitCode::done;
 }
 
 }  // namespace
@@ -199,6 +217,7 @@ Command bench_command() {
             declare_error(app, *options);
             declare_peers(app, *options);
             declare_tradeoff(app, *options);
+            declare_panels(app, *options);
           },
       .run =
           [options](Console console) {
@@ -206,6 +225,8 @@ Command bench_command() {
             if (options->speed->parsed()) return speed(*options, console);
             if (options->error->parsed()) return error(*options, console);
             if (options->tradeoff->parsed()) return run_tradeoff(options->arms, console);
+            for (std::size_t k = 0; k < panels().size(); ++k)
+              if (options->panels[k].parsed()) return show(panels()[k], *options, console);
             return peers(*options, console);
           },
   };

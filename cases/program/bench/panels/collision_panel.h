@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/program/bench/panels/panel.h"
+
+namespace furnas {
+
+/// The error of one quantity after a collision of two small spheres, over all phases of entry and exit.
+struct CollisionError {
+  std::string law, precision;
+  double steps{};        ///< in a collision, t_c/dt
+  std::string quantity;  ///< "restitution", "slip stuck", "slip sliding", "spin sliding"
+  double expected{};     ///< by the closed form
+  double mean{}, rms{};  ///< (is - expected)/expected
+};
+
+/// E1: restitution exp(-gamma t/2) head-on; slip with mu = 1e30, and slip and spin with gross sliding, whose
+/// closed forms are those of engine/trials/closed_form.h.
+std::vector<CollisionError> collision_errors(Effort effort);
+
+PanelResult panel_of(const std::vector<CollisionError>& errors);
+
+}  // namespace furnas

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/program/bench/panels/panel.h"
+
+namespace furnas {
+
+/// The errors of contacts that endure, each relative to its closed form.
+struct ContactError {
+  std::string law;
+  double steps{};      ///< in a collision, t_c/dt
+  double decay{};      ///< rate of decay of two spheres squeezed between their images, gamma
+  double frequency{};  ///< its angular frequency, (2 k/m_eff - gamma^2)^(1/2)
+  double shear{};      ///< C44 of a face-centred crystal with stuck contacts
+};
+
+/// E2.
+std::vector<ContactError> contact_errors(Effort effort);
+
+PanelResult panel_of(const std::vector<ContactError>& errors);
+
+}  // namespace furnas

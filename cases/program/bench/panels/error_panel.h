@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/program/bench/force_error.h"
+#include "cases/program/bench/panels/panel.h"
+
+namespace furnas {
+
+/// The forces of one packing in one precision, against long double.
+struct ForceErrorRow {
+  std::string packing;
+  std::size_t particles{};
+  double friction{};
+  std::string precision;
+  ForceError error;
+};
+
+/// E4. The packings come from outside, so it is made by `furnas bench error`.
+PanelResult panel_of(const std::vector<ForceErrorRow>& rows);
+
+}  // namespace furnas

@@ -1,0 +1,57 @@
+#include "cases/program/bench/panels/panel.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "cases/program/bench/panels/collision_panel.h"
+#include "cases/program/bench/panels/conservation_panel.h"
+#include "cases/program/bench/panels/contact_panel.h"
+#include "cases/program/bench/panels/groove_panel.h"
+#include "cases/program/bench/panels/threads_panel.h"
+#include "cases/program/bench/panels/trajectory_panel.h"
+#include "cases/program/run/run_folder.h"
+#include "engine/protocol/protocol.h"
+#include "io/atomic_file.h"
+
+namespace furnas {
+
+std::span<const Panel> panels() {
+  static const std::array all{
+      Panel{"collision", "error of restitution, slip and spin after an impact, by time step and law",
+            [](Effort effort) { return panel_of(collision_errors(effort)); }},
+      Panel{"contact", "error of an enduring contact: decay, frequency, shear modulus",
+            [](Effort effort) { return panel_of(contact_errors(effort)); }},
+      Panel{"groove", "a small sphere between two large ones: when it rolls out, at which angle it is held",
+            [](Effort effort) { return panel_of(groove_errors(effort)); }},
+      Panel{"conservation", "what a packing in motion loses of energy, enthalpy and momentum",
+            [](Effort effort) { return panel_of(conservation_errors(effort)); }},
+      Panel{"trajectory", "how long positions stay within 1e-3 d_s of those of a far shorter step",
+            [](Effort effort) { return panel_of(trajectory_errors(effort)); }},
+      Panel{"threads", "the bits and the speed of several threads",
+            [](Effort effort) { return panel_of(thread_rows(effort)); }},
+  };
+  return all;
+}
+
+void show_panel(const std::string& name, const PanelResult& result, const std::filesystem::path& folder,
+                Console console) {
+  make_folder(folder);
+  write_file(folder / (name + ".csv"), result.table.csv());
+  render_svg(result.chart, folder / (name + ".svg"));
+  try {
+    render_png(result.chart, folder / (name + ".png"));
+  } catch (const std::exception& error) {
+    console.err << "furnas: no PNG: " << error.what() << '\n';
+  }
+  console.out << result.table.aligned()
+              << fmt::format("files  {}: {}.csv {}.svg {}.png\n", folder.string(), name, name, name);
+}
+
+std::string panel_cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+
+double usual_collision_time() { return time_unit_of(Protocol{}); }
+
+}  // namespace furnas

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/program/commands/command.h"
+#include "cases/program/table.h"
+#include "viz/chart.h"
+
+namespace furnas {
+
+/// Speed against error, seen from one side: a table and a chart.
+struct PanelResult {
+  Table table;  ///< all digits
+  Chart chart;
+};
+
+/// How much a panel does.
+enum class Effort {
+  quick,  ///< a second: enough to see orders and closed forms
+  full    ///< some minutes
+};
+
+/// A panel of `furnas bench`.
+struct Panel {
+  std::string name;  ///< of the subcommand and of its files
+  std::string does;
+  PanelResult (*make)(Effort effort);
+};
+
+/// All panels that need no packing from outside.
+std::span<const Panel> panels();
+
+/// Writes NAME.csv, NAME.svg and NAME.png into the folder and prints the table. Throws InputError,
+/// OutputError.
+void show_panel(const std::string& name, const PanelResult& result, const std::filesystem::path& folder,
+                Console console);
+
+/// A cell of a table: all digits that matter; empty if the number is not known.
+std::string panel_cell(double value);
+
+/// The collision time of two small spheres with the usual damping, t_c [time].
+double usual_collision_time();
+
+}  // namespace furnas
