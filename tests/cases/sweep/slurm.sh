@@ -19,7 +19,9 @@ export PATH=$PATH:/usr/sbin
 
 room=$(mktemp -d /tmp/furnas_slurm_XXXXXX)
 started=()
+job=
 finish() {
+  [ -z "$job" ] || { scancel "$job" && sleep 2; } || true  # a task would outlive the daemons
   for process in "${started[@]}"; do kill "$process" 2>/dev/null || true; done
   for process in "${started[@]}"; do
     for _ in $(seq 100); do kill -0 "$process" 2>/dev/null || break; sleep 0.1; done
