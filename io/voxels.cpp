@@ -30,8 +30,9 @@ VoxelPlan plan_voxels(const Packing& packing, double edge) {
   const auto plane = static_cast<std::uint64_t>(plan.grid.in_a_plane());
   plan.bytes = plane * static_cast<std::uint64_t>(plan.grid.points[2]);
   constexpr double buffer = 2e6;  // of the file
-  plan.memory = static_cast<double>(plane) + buffer +
-                static_cast<double>(plan.solid.balls.size() * (sizeof(Ball) + sizeof(Ball*)));
+  plan.memory =
+      static_cast<double>(plane) + buffer +
+      static_cast<double>(plan.solid.spheres.size() * (sizeof(PlacedSphere) + sizeof(PlacedSphere*)));
   return plan;
 }
 

@@ -56,7 +56,7 @@ class Distances {
     return first + spacing * static_cast<double>(k);
   }
   void cut(std::span<float> plane) const {
-    const auto& [low, high, balls] = plan_.solid;
+    const auto& [low, high, spheres] = plan_.solid;
     const auto& [first, spacing, points] = plan_.grid;
     const double z = beyond(at(first.z, spacing.z, plane_), low.z, high.z);
     std::size_t k = 0;
@@ -126,9 +126,10 @@ SurfacePlan plan_surface(const Packing& packing, double edge, bool cut) {
   plan.bytes = plan.triangles * StlFile::bytes_of_triangle;
   constexpr double of_point = 4, of_cell_edges = 8, of_triangle = 100, buffer = 2e6;
   const auto plane = static_cast<double>(plan.grid.in_a_plane());
-  plan.memory = (slab + 1) * plane * (of_point + of_cell_edges) + buffer +
-                plan.triangles * of_triangle * (slab + 1) / static_cast<double>(plan.grid.points[2]) +
-                static_cast<double>(plan.solid.balls.size() * (sizeof(Ball) + sizeof(Ball*)));
+  plan.memory =
+      (slab + 1) * plane * (of_point + of_cell_edges) + buffer +
+      plan.triangles * of_triangle * (slab + 1) / static_cast<double>(plan.grid.points[2]) +
+      static_cast<double>(plan.solid.spheres.size() * (sizeof(PlacedSphere) + sizeof(PlacedSphere*)));
   return plan;
 }
 

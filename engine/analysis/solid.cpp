@@ -9,9 +9,10 @@
 namespace furnas {
 namespace {
 
-void sort(std::vector<Ball>& balls) {
-  std::sort(balls.begin(), balls.end(),
-            [](const Ball& a, const Ball& b) { return a.centre.z - a.radius < b.centre.z - b.radius; });
+void sort(std::vector<PlacedSphere>& spheres) {
+  std::sort(spheres.begin(), spheres.end(), [](const PlacedSphere& a, const PlacedSphere& b) {
+    return a.centre.z - a.radius < b.centre.z - b.radius;
+  });
 }
 
 /// Whole numbers n for which offset + n length lies within `reach` of [0, length].
@@ -35,16 +36,16 @@ struct Points {
 Solid whole_solid(const Packing& packing) {
   Solid solid;
   for (std::size_t k = 0; k < packing.size(); ++k) {
-    const Ball ball{packing.position(k), packing.radius[k]};
-    const Vec3<double> all{ball.radius, ball.radius, ball.radius};
-    const Vec3<double> low = ball.centre - all, high = ball.centre + all;
+    const PlacedSphere sphere{packing.position(k), packing.radius[k]};
+    const Vec3<double> all{sphere.radius, sphere.radius, sphere.radius};
+    const Vec3<double> low = sphere.centre - all, high = sphere.centre + all;
     if (k == 0) solid.low = low, solid.high = high;
     solid.low = {std::min(solid.low.x, low.x), std::min(solid.low.y, low.y), std::min(solid.low.z, low.z)};
     solid.high = {std::max(solid.high.x, high.x), std::max(solid.high.y, high.y),
                   std::max(solid.high.z, high.z)};
-    solid.balls.push_back(ball);
+    solid.spheres.push_back(sphere);
   }
-  sort(solid.balls);
+  sort(solid.spheres);
   return solid;
 }
 
@@ -62,11 +63,11 @@ Solid periodic_solid(const Packing& packing, double margin) {
         const Vec3<double> aside = up + static_cast<double>(m) * Vec3<double>{h.xy, h.yy, 0};
         const Images a(aside.x, h.xx, reach);
         for (std::int64_t l = a.first; l <= a.last; ++l)
-          solid.balls.push_back({aside + static_cast<double>(l) * Vec3<double>{h.xx, 0, 0}, radius});
+          solid.spheres.push_back({aside + static_cast<double>(l) * Vec3<double>{h.xx, 0, 0}, radius});
       }
     }
   }
-  sort(solid.balls);
+  sort(solid.spheres);
   return solid;
 }
 
@@ -92,20 +93,23 @@ PointGrid voxel_grid(const Solid& solid, double edge) {
 double SolidPlanes::advance() {
   require(plane_ < grid_.points[2], "the grid has no more planes");
   const double height = grid_.first.z + static_cast<double>(plane_++) * grid_.spacing.z;
-  const auto& balls = solid_.balls;
-  for (; begun_ < balls.size() && balls[begun_].centre.z - balls[begun_].radius - reach_ <= height; ++begun_)
-    reached_.push_back(&balls[begun_]);
-  std::erase_if(reached_, [&](const Ball* ball) { return ball->centre.z + ball->radius + reach_ < height; });
+  const auto& spheres = solid_.spheres;
+  for (; begun_ < spheres.size() && spheres[begun_].centre.z - spheres[begun_].radius - reach_ <= height;
+       ++begun_)
+    reached_.push_back(&spheres[begun_]);
+  std::erase_if(reached_, [&](const PlacedSphere* sphere) {
+    return sphere->centre.z + sphere->radius + reach_ < height;
+  });
   return height;
 }
 
-/// For each ball and each row of the plane that it reaches: row(ball, index of the row, square of the row's
-/// distance from the centre, first and last point).
+/// For each sphere and each row of the plane that it reaches: row(sphere, index of the row, square of the
+/// row's distance from the centre, first and last point).
 template <class Row>
 void SolidPlanes::for_each_row(double height, Row&& row) const {
-  for (const Ball* ball : reached_) {
-    const Vec3<double>& centre = ball->centre;
-    const double far = ball->radius + reach_, up = height - centre.z;
+  for (const PlacedSphere* sphere : reached_) {
+    const Vec3<double>& centre = sphere->centre;
+    const double far = sphere->radius + reach_, up = height - centre.z;
     const double wide = std::sqrt(std::max(far * far - up * up, 0.0));
     const Points rows(centre.y - wide, centre.y + wide, grid_.first.y, grid_.spacing.y, grid_.points[1]);
     for (std::int64_t j = rows.first; j <= rows.last; ++j) {
@@ -113,14 +117,14 @@ void SolidPlanes::for_each_row(double height, Row&& row) const {
       const double off = up * up + aside * aside;
       const double half = std::sqrt(std::max(far * far - off, 0.0));
       const Points across(centre.x - half, centre.x + half, grid_.first.x, grid_.spacing.x, grid_.points[0]);
-      row(*ball, j * grid_.points[0], off, across);
+      row(*sphere, j * grid_.points[0], off, across);
     }
   }
 }
 
 void SolidPlanes::next_inside(std::span<std::uint8_t> plane) {
   std::fill(plane.begin(), plane.end(), std::uint8_t{0});
-  for_each_row(advance(), [&](const Ball&, std::int64_t row, double, const Points& across) {
+  for_each_row(advance(), [&](const PlacedSphere&, std::int64_t row, double, const Points& across) {
     if (across.first > across.last) return;
     std::fill_n(plane.begin() + row + across.first, across.last - across.first + 1, std::uint8_t{1});
   });
@@ -128,13 +132,14 @@ void SolidPlanes::next_inside(std::span<std::uint8_t> plane) {
 
 void SolidPlanes::next_distances(std::span<float> plane) {
   std::fill(plane.begin(), plane.end(), static_cast<float>(reach_));
-  for_each_row(advance(), [&](const Ball& ball, std::int64_t row, double off, const Points& across) {
-    for (std::int64_t i = across.first; i <= across.last; ++i) {
-      const double x = grid_.first.x + static_cast<double>(i) * grid_.spacing.x - ball.centre.x;
-      float& nearest = plane[static_cast<std::size_t>(row + i)];
-      nearest = std::min(nearest, static_cast<float>(std::sqrt(off + x * x) - ball.radius));
-    }
-  });
+  for_each_row(
+      advance(), [&](const PlacedSphere& sphere, std::int64_t row, double off, const Points& across) {
+        for (std::int64_t i = across.first; i <= across.last; ++i) {
+          const double x = grid_.first.x + static_cast<double>(i) * grid_.spacing.x - sphere.centre.x;
+          float& nearest = plane[static_cast<std::size_t>(row + i)];
+          nearest = std::min(nearest, static_cast<float>(std::sqrt(off + x * x) - sphere.radius));
+        }
+      });
 }
 
 }  // namespace furnas

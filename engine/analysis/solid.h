@@ -10,15 +10,15 @@
 namespace furnas {
 
 /// A sphere of a solid [d_s].
-struct Ball {
+struct PlacedSphere {
   Vec3<double> centre;
   double radius{};
 };
 
 /// The union of spheres, and the box in which it is looked at [d_s].
 struct Solid {
-  Vec3<double> low, high;   ///< corners of the box
-  std::vector<Ball> balls;  ///< the one that begins lowest along z first
+  Vec3<double> low, high;             ///< corners of the box
+  std::vector<PlacedSphere> spheres;  ///< the one that begins lowest along z first
 };
 
 /// Every sphere once and whole, at its place in the cell, in the box that just holds them all.
@@ -65,8 +65,8 @@ class SolidPlanes {
   const PointGrid& grid_;
   double reach_;
   std::int64_t plane_ = 0;
-  std::size_t begun_ = 0;             // balls that begin at or below the plane
-  std::vector<const Ball*> reached_;  // those that reach into it
+  std::size_t begun_ = 0;                     // spheres that begin at or below the plane
+  std::vector<const PlacedSphere*> reached_;  // those that reach into it
 };
 
 }  // namespace furnas

@@ -303,6 +303,30 @@ TEST(FilesOfOthers, CrystalsHaveTheirPackingFractionAndCoordination) {
   }
 }
 
+/// Few spheres have no backbone, many images of themselves, and lists shorter than a batch.
+TEST(FilesOfOthers, OneToTenSpheresAreAnalyzedAndRun) {
+  const Runs runs;
+  for (int spheres = 1; spheres <= 10; ++spheres) {
+    std::string file = fmt::format(
+        "{}\nLattice=\"{} 0 0 0 1.2 0 0 0 1.2\" Properties=species:S:1:pos:R:3:radius:R:1:velo:R:3\n",
+        spheres, 1.2 * spheres);
+    for (int k = 0; k < spheres; ++k) file += fmt::format("A {} 0.6 0.6 0.5 0.01 0.02 0.03\n", 0.6 + 1.2 * k);
+    write_file(runs.path("few.xyz"), file);
+    const Answer looked =
+        furnas({"analyze", runs.path("few.xyz"), "--out", runs.path("out"), "--no-pictures"});
+    ASSERT_EQ(looked.code, ExitCode::done) << spheres << looked.err;
+    const auto json = nlohmann::json::parse(content(runs.path("out/analysis.json")));
+    EXPECT_NEAR(json["phi"].get<double>(), std::numbers::pi / 6 / (1.2 * 1.2 * 1.2), 1e-12) << spheres;
+    EXPECT_EQ(json["network"]["coordination"]["Z"], 0) << spheres;
+    write_file(runs.path("few.toml"),
+               with_replaced(with_replaced(fixed_case, "dens.data", "few.xyz"), "2000", "200"));
+    const std::string run = runs.path(fmt::format("run{}", spheres));
+    EXPECT_EQ(furnas({"run", runs.path("few.toml"), "--out", run}).code, ExitCode::budget_spent) << spheres;
+    const auto result = nlohmann::json::parse(content(run + "/result.json"));
+    EXPECT_EQ(result["particles"], spheres);
+  }
+}
+
 TEST(FilesOfOthers, ChainsAreDrawnOfOverlaps) {
   const Runs runs;
   write_file(runs.path("fcc.xyz"), crystal());

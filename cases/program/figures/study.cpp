@@ -75,9 +75,9 @@ SampleTable largest_of(const Gathered& gathered, std::vector<std::string>& remar
   const auto smaller = std::erase_if(
       all.rows, [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });
   if (smaller > 0)
-    remarks.push_back(
-        fmt::format("{} sample{} with fewer large spheres than others of the same point left out", smaller,
-                    smaller == 1 ? " is" : "s are"));
+    remarks.push_back(fmt::format("{} with fewer large spheres than others of the same point {} left out",
+                                  smaller == 1 ? "1 sample" : fmt::format("{} samples", smaller),
+                                  smaller == 1 ? "is" : "are"));
   std::stable_sort(all.rows.begin(), all.rows.end(),
                    [](const SampleRow& a, const SampleRow& b) { return place_of(a) < place_of(b); });
   return all;

@@ -40,12 +40,6 @@ bool is_in_use(const fs::path& folder) {
   return false;
 }
 
-/// The name of a sample in the book.
-std::string key_of(const Sample& sample) {
-  return fmt::format("{}~{}", sample.folder.parent_path().filename().string(),
-                     sample.folder.filename().string());
-}
-
 /// The sample as it stands in the folder of a turn.
 Sample sample_in(const TurnFolder& folder, const Sample& sample) {
   Sample there = sample;
@@ -221,7 +215,7 @@ class Pool {
   /// Where a sample is that does not run here. Whoever is busy (`full`) leaves it to others to look after
   /// workers that are gone.
   Where where_is(const Sample& sample, bool full) {
-    const std::string key = key_of(sample);
+    const std::string key = turns_.key_of(sample.folder);
     const TurnRecord last = turns_.last(key);
     if (last.kind == Kind::none) return Where::free;
     if (last.kind == Kind::taken) return full || !is_gone(sample, last) ? Where::elsewhere : Where::free;
@@ -248,7 +242,7 @@ class Pool {
   /// Ends what others have taken over, while this worker seemed gone.
   void drop_lost() {
     for (auto r = running_.begin(); r != running_.end();) {
-      if (!turns_.lost(key_of(*r->sample), r->turn)) {
+      if (!turns_.lost(turns_.key_of(r->sample->folder), r->turn)) {
         ++r;
         continue;
       }
@@ -260,7 +254,7 @@ class Pool {
 
   /// Takes a sample and starts it, unless another worker is first.
   Where begin(const Sample& sample) {
-    const std::string key = key_of(sample);
+    const std::string key = turns_.key_of(sample.folder);
     const int threads = threads_of(sample);
     fs::create_directories(sample.folder.parent_path());
     const auto turn = turns_.take(key);
@@ -298,7 +292,8 @@ class Pool {
     const bool out_of_time = code == static_cast<int>(ExitCode::budget_spent) &&
                              state_of(sample_in(folder, sample)) != SampleState::finished;
     const bool saved = asked || out_of_time || code == static_cast<int>(ExitCode::interrupted);
-    const bool ours = turns_.end(key_of(sample), ended.turn, saved ? Kind::left : Kind::done, code);
+    const bool ours =
+        turns_.end(turns_.key_of(sample.folder), ended.turn, saved ? Kind::left : Kind::done, code);
     if (ours) folder.publish();
     if (!ours || out_of_time)
       waiting_.push_back(&sample);

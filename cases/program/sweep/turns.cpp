@@ -72,6 +72,13 @@ fs::path Turns::file(const std::string& sample, int number) const {
   return folder_ / fmt::format("{}.{}", sample, number);
 }
 
+std::string Turns::key_of(const fs::path& sample) const {
+  std::string key;
+  for (const fs::path& part : sample.lexically_relative(folder_.parent_path()))
+    key += (key.empty() ? "" : "~") + part.string();
+  return key;
+}
+
 void Turns::look() {
   std::map<std::string, int> newest;
   for (const auto& entry : fs::directory_iterator(folder_)) {

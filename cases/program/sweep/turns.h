@@ -35,6 +35,9 @@ class Turns {
   /// `worker` writes its records here.
   Turns(std::filesystem::path sweep, const Worker& worker);
 
+  /// The name of a sample in the book: its folder as seen from that of the sweep.
+  std::string key_of(const std::filesystem::path& sample) const;
+
   /// Reads what others have written.
   void look();
 

@@ -161,7 +161,7 @@ TEST_F(Sweeps, OfEqualSpheresFollowFromTheCommandThatTheModelAsksFor) {
   EXPECT_EQ(ending_of({"model", "--sweep", path("out"), "--sweep", path("mono"), "--friction", "0.3"}).code,
             0);
   ASSERT_EQ(ending_of({"plot", path("out"), path("mono"), "--out", path("p.csv")}).code, 0);
-  EXPECT_THAT(content(path("p.csv")), HasSubstr("model, φ_{mono}"));
+  EXPECT_THAT(content(path("p.csv")), HasSubstr("model; φ_{mono}"));
 }
 
 TEST_F(Sweeps, OfAnotherPressureAreNotMixed) {

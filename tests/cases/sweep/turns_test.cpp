@@ -37,6 +37,11 @@ TEST_F(TurnBooks, GiveATurnToOne) {
   EXPECT_EQ(second_.last(one_sample).code, 5);
 }
 
+TEST_F(TurnBooks, NameASampleByItsWholePlaceInTheSweep) {
+  EXPECT_EQ(first_.key_of(folder_ / "friction=0.3/1"), one_sample);
+  EXPECT_EQ(first_.key_of(folder_ / "samples/dense/default/1"), "samples~dense~default~1");
+}
+
 TEST_F(TurnBooks, DoNotLetATurnEndThatWasTakenOver) {
   EXPECT_EQ(first_.take(one_sample), 1);
   EXPECT_FALSE(first_.lost(one_sample, 1));
