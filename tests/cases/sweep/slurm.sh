@@ -84,7 +84,7 @@ for _ in $(seq 300); do
 done
 [ "$(sinfo -h -o %t)" = idle ] || fail "the node does not come up"
 
-# Four samples of some ten seconds, so that a task of one core, whose worker has a minute less than Slurm gives
+# Four samples of some thirty seconds, so that a task of one core, whose worker has a minute less than Slurm gives
 # it, takes two at least.
 cat >"$room/case.toml" <<CASE
 [mixture]
@@ -92,7 +92,7 @@ large = 100
 start_fraction = 0.25
 [stop]
 kinetic_energy = 1e-30
-steps = ${FURNAS_SLURM_STEPS:-1_500_000}
+steps = ${FURNAS_SLURM_STEPS:-5_000_000}
 [output]
 picture = "none"
 [sweep]
