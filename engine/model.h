@@ -23,6 +23,12 @@ struct Barostat {
 /// stress and energy are double in both.
 enum class Precision { mixed, full };
 
+/// The radius [d_s] that a simulation of this precision computes with, writes into its packings and starts
+/// from again: in mixed precision the nearest single-precision number.
+inline double kept_radius(Precision precision, double radius) {
+  return precision == Precision::mixed ? static_cast<float>(radius) : radius;
+}
+
 /// What is simulated: everything that stays the same during a run.
 struct Model {
   AnyLaw law;

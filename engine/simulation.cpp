@@ -147,7 +147,8 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
       particle.spin = narrow(p.spin[k]);
-      particle.inverse_inertia = Real(1 / sphere_inertia(p.mass[k], p.radius[k]));
+      // Of the radius as it is kept: a run that goes on knows no other.
+      particle.inverse_inertia = Real(1 / sphere_inertia(p.mass[k], particle.radius));
       load.torque = narrow(p.torque[k]);
     }
     state_.particles.push_back(particle);

@@ -243,7 +243,7 @@ std::optional<double> read_phi_J(const std::filesystem::path& folder) {
   if (!stream) return {};
   const auto json = Json::parse(stream, nullptr, false);
   if (!json.is_object() || !json.contains("phi_J") || !(json["phi_J"].is_number() || json["phi_J"].is_null()))
-    throw InputError(path.string() + ": phi_J is missing or no number; a result.json of furnas has it");
+    throw InputError(path.string() + ": phi_J is missing, or neither a number nor null; this is no result.json of furnas");
   if (json["phi_J"].is_null()) return {};
   return json["phi_J"].get<double>();
 }

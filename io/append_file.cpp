@@ -34,7 +34,7 @@ AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {
 AppendFile::AppendFile(std::filesystem::path path, const FileMark& mark) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
   if (descriptor_ < 0 && errno == ENOENT)
-    throw InputError(path_.string() + ": missing, so that the run cannot go on with it; put it back");
+    throw InputError(path_.string() + ": the file is missing, and the run cannot go on without it; restore it");
   if (descriptor_ < 0) fail("cannot open the file");
   try {
     take_up(mark);
@@ -58,7 +58,7 @@ void AppendFile::take_up(const FileMark& mark) {
   }
   if (bytes_ != mark.bytes || hasher_.value() != mark.hash)
     throw InputError(fmt::format(
-        "{}: its first {} bytes are not those that the run had written when it was saved; put them back",
+        "{}: its first {} bytes are not those that the run had written when it was saved; restore the file",
         path_.string(), mark.bytes));
   if (::ftruncate(descriptor_, static_cast<off_t>(bytes_)) != 0) fail("cannot cut the file");
 }

@@ -78,8 +78,8 @@ Packing listed_start(const Case::Mixture& mixture) {
   constexpr double dense = 0.64, least_width = 2;  // as for a mixture: io/case_check.cpp
   if (std::cbrt(volume / dense) < least_width)
     throw InputError(
-        fmt::format("mixture.diameters = \"{}\": {} spheres make a cell {:.1f} diameters of the "
-                    "smallest wide when dense, too small to jam; allowed: at least 2; list more",
+        fmt::format("mixture.diameters = \"{}\": {} spheres make a cell only {:.1f} smallest "
+                    "diameters wide when dense, too narrow to jam; allowed: at least 2, so list more spheres",
                     mixture.diameters, radii.size(), std::cbrt(volume / dense)));
   return dilute_gas(
       radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});

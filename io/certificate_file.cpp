@@ -29,8 +29,8 @@ std::string failed_parts(const Certificate& c) {
 std::string conclusion(const Certificate& c) {
   if (!c.passed())
     return fmt::format(
-        "Not certified: {} failed, and a jammed packing passes every part; what passed proves nothing "
-        "without it.",
+        "Not certified: {} failed, and a jammed packing passes every part. The parts that passed prove nothing "
+        "on their own.",
         failed_parts(c));
   const bool stable = std::any_of(c.parts.begin(), c.parts.end(),
                                   [](const Part& part) { return part.proves == Proves::sufficient; });

@@ -41,7 +41,7 @@ class FileCell {
  private:
   Triangle edges_;
   Vec3<double> origin_;                                                  ///< as in the file
-  std::array<Vec3<double>, 3> axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< of furnas, in those of the file
+  std::array<Vec3<double>, 3> axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< axes of furnas, in coordinates of the file
   bool is_turned_ = false;
   bool is_reversed_ = false;  ///< the third edge
 };

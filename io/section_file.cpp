@@ -118,7 +118,7 @@ SectionReader::SectionReader(const std::filesystem::path& path, const SectionFor
 
   const auto expected = file_head(format);
   if (!std::equal(expected.begin(), expected.begin() + magic_size, head.begin()))
-    refuse(fmt::format("not a file that begins with {}", format.magic));
+    refuse(fmt::format("not in this format: the file does not begin with {}", format.magic));
   if (head != expected)
     refuse(fmt::format("written in another version of this format; this program reads version {}",
                        format.version));

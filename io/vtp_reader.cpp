@@ -173,7 +173,7 @@ std::string VtpReader::bytes(std::uint64_t offset, std::uint64_t expected) {
 }
 
 /// Compressed data: number of blocks, bytes of a block, bytes of the last one if it is shorter, the stored
-/// bytes of each, and then they.
+/// size of each, and then the blocks.
 std::string VtpReader::unpack(std::uint64_t at, std::uint64_t expected) {
   const std::uint64_t blocks = size_at(at), block = size_at(at + size_bytes_),
                       last = size_at(at + 2 * size_bytes_);

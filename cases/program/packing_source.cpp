@@ -40,7 +40,7 @@ void remark_on_older_checkpoint(const std::string& name, std::ostream& out) {
   if (fs::is_directory(name) || !fs::exists(name) || !is_checkpoint(name)) return;
   if (const auto newer = Checkpoints::newer_than(name))
     out << "furnas: " << name << " is the older of two checkpoints; " << newer->filename().string()
-        << " is newer. The folder as argument means the newest\n";
+        << " is newer. To use the newest, give the folder instead of the file\n";
 }
 
 void add_packing_source(CommandLine& app, std::string& name, std::optional<std::int64_t>& frame) {

@@ -16,8 +16,9 @@ namespace furnas {
 /// strain costs when the particles have followed. A Cholesky factor that exists proves that no eigenvalue is
 /// negative. Where CHOLMOD meets a pivot that is not positive, that unknown is held by an added spring and
 /// the factorization restarted; negative eigenvalues are then counted from a small dense matrix (Haynsworth's
-/// inertia additivity), and the added springs are taken out of the inverse again (Woodbury's identity). After
-/// four such springs the signs of the pivots of L D L^T count them instead (Sylvester's law of inertia).
+/// inertia additivity), and the added springs are taken out of the inverse again (Woodbury's identity). When
+/// more than four such springs are needed, the negative eigenvalues are counted by the signs of the pivots of
+/// L D L^T instead (Sylvester's law of inertia).
 class Compliance {
  public:
   using Scalar = double;

@@ -11,8 +11,8 @@ struct Moduli {
   double least_shear{};  ///< the smallest of any direction; no larger than 3/2 K
 };
 
-/// From the elastic constants, the relaxed stiffness over V, in the order xx yy zz xy xz yz. Strains of an
-/// upper-triangular cell are those of the textbooks and a turn, which costs nothing.
+/// From the elastic constants, the relaxed stiffness over V, in the order xx yy zz xy xz yz. A strain of
+/// an upper-triangular cell is a symmetric strain, as in textbooks, and a rotation, which costs no energy.
 Moduli moduli_of(const StrainMatrix& constants);
 
 }  // namespace furnas

@@ -20,7 +20,7 @@ class Grid {
   Grid(const Packing& p, const std::vector<std::uint32_t>& members) {
     for (const std::uint32_t k : members) largest_ = std::max(largest_, p.radius[k]);
     const auto height = components(heights(p.cell.edges));
-    // More bins than particles would only be walked through in vain.
+    // With more bins than particles most bins would be empty, and visited for nothing.
     const double most = std::floor(std::cbrt(static_cast<double>(members.size()))) + 1;
     for (std::size_t a = 0; a < 3; ++a) {
       height_[a] = height[a];

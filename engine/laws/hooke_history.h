@@ -19,11 +19,11 @@ struct HookeHistory {
 
   HookeConstants constants;
 
-  /// As the springs resist at this overlap; all that asks how stiff a contact is asks here.
+  /// How the springs resist at this overlap. Whatever needs the stiffness of a contact takes it from here.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }
-  /// As the springs hold it.
+  /// The energy that the springs of the contact hold.
   [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
     return hooke_energy(constants, t, history);
   }

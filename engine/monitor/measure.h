@@ -5,7 +5,7 @@
 
 namespace furnas {
 
-/// Reads off everything that the history and the verdict need. `backbone_threshold` is the number of
+/// Measures everything that history.csv and the verdict need. `backbone_threshold` is the number of
 /// live contacts below which a particle counts as a rattler there: 4 without friction, 2 with.
 Measures measure(const Packing& packing, int backbone_threshold);
 

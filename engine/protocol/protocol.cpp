@@ -62,6 +62,10 @@ double relative_time_step(const Protocol& p, double smallest) {
 
 double smallest_diameter(const Packing& p) { return 2 * *std::min_element(p.radius.begin(), p.radius.end()); }
 
+double smallest_kept_diameter(const Protocol& p, const Packing& start) {
+  return 2 * kept_radius(p.precision, smallest_diameter(start) / 2);
+}
+
 double cell_inertia(double beta, double mass, double sphere_volume) {
   const double length = std::cbrt(sphere_volume / reference_fraction);
   return beta * mass * length * length / 12;
@@ -69,7 +73,13 @@ double cell_inertia(double beta, double mass, double sphere_volume) {
 
 std::vector<Barostat> baths_of(const Protocol& p, const Packing& start) {
   const double mass = std::accumulate(start.mass.begin(), start.mass.end(), 0.0);
-  const double volume = start.sphere_volume();
+  // Of the radii that the simulation keeps: a run that goes on from a checkpoint knows no others.
+  double cubes = 0;
+  for (const double radius : start.radius) {
+    const double kept = kept_radius(p.precision, radius);
+    cubes += kept * kept * kept;
+  }
+  const double volume = cubes * sphere_volume(1);
   const double inertia = p.inertia_absolute.value_or(cell_inertia(p.inertia, mass, volume));
   std::vector<Barostat> baths;
   for (const double pressure : p.pressures) {
@@ -87,7 +97,7 @@ Model model_of(const Protocol& p, const Packing& start) {
   return {.law = law_of(p),
           .precision = p.precision,
           .barostat = baths_of(p, start).front(),
-          .time_step = time_step_of(p, smallest_diameter(start)),
+          .time_step = time_step_of(p, smallest_kept_diameter(p, start)),
           .affine_velocity = p.affine_velocity,
           .skin = p.skin};
 }

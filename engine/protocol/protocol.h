@@ -62,6 +62,9 @@ double relative_time_step(const Protocol& protocol, double smallest = 1);
 /// Diameter of the smallest sphere [d_s].
 double smallest_diameter(const Packing& packing);
 
+/// The same as a simulation of this start keeps it.
+double smallest_kept_diameter(const Protocol& protocol, const Packing& start);
+
 /// W = beta M L_ref^2/12 with L_ref^3 = V_s/0.64: the inertia of a cube of the packing itself, M and V_s
 /// being mass and volume of all spheres [rho d_s^5].
 double cell_inertia(double beta, double mass, double sphere_volume);

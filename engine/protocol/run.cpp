@@ -13,7 +13,7 @@ namespace furnas {
 namespace {
 
 Rhythm rhythm_of(const Protocol& protocol, const Packing& start) {
-  return Rhythm(relative_time_step(protocol, smallest_diameter(start)));
+  return Rhythm(relative_time_step(protocol, smallest_kept_diameter(protocol, start)));
 }
 
 template <class E>

@@ -10,7 +10,8 @@
 namespace furnas {
 namespace {
 
-/// Rows of the list tell apart thirty cells, and beyond a few nothing physical is left.
+/// Refuses a cell so thin that spheres meet across thirty cells or more: a row of the list cannot tell more
+/// images apart, and beyond a few nothing physical is left.
 void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
   constexpr double most_cells = 30;
   for (double height : heights) {

@@ -77,7 +77,7 @@ struct Row<Real, true> {
   Real minus_arm_j;   ///< lever arm of j, with a minus [d_s]
 };
 
-/// Which particles the passes over particles may take lightly.
+/// How much of the work of a pass over particles may be left out for a particle.
 enum LoadMark : std::uint8_t {
   no_load,   ///< it touches nothing and its load is zero
   has_load,  ///< it may touch something

@@ -202,6 +202,29 @@ TEST(ReliableSplitRun, ASettledRunIsToldAgainAndGoesOn) {
   EXPECT_EQ(runs.result("twice")["steps"], steps + 5000);
 }
 
+/// In single precision a radius is rounded when a run begins, and all that follows from it must follow from
+/// the rounded one, which is all that a run that goes on knows.
+TEST(ReliableSplitRun, SizesThatAreNoBinaryFractionsAreRoundedOnce) {
+  const Runs runs(settling_case);
+  std::string list;
+  for (int k = 0; k < 60; ++k) list += std::to_string(7.1 + 0.13 * k) + "\n";
+  write_file(runs.path("sizes.txt"), list);
+  const std::vector<std::vector<std::string>> mixtures{
+      {"mixture.size_ratio=2.7", "mixture.small_fraction=0.3", "mixture.large=12"},
+      {"mixture.diameters=sizes.txt"},
+      {"mixture.diameters=sizes.txt", "contact.friction=0", "compaction.mass_exponent=2"}};
+  for (auto set : mixtures) {
+    set.emplace_back("stop.steps=6000");
+    ASSERT_NE(runs.run("whole", set).code, ExitCode::bad_case);
+    set.back() = "stop.steps=2500";
+    ASSERT_EQ(runs.run("part", set).code, ExitCode::budget_spent);
+    ASSERT_NE(runs.resume("part", {"--steps", "6000"}).code, ExitCode::bad_case);
+    EXPECT_EQ(difference(runs.path("whole"), runs.path("part")), "") << set[0];
+    fs::remove_all(runs.path("whole"));
+    fs::remove_all(runs.path("part"));
+  }
+}
+
 /// A run that ends as settled, and one without friction that ends by the minimizer, each in processes of few
 /// steps.
 TEST(ReliableSplitRun, EndsAsTheWholeRunDoes) {

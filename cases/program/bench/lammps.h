@@ -30,8 +30,8 @@ class Lammps {
   /// `mpirun`, is on the PATH.
   Lammps(std::filesystem::path folder, const Packing& packing, const Model& model, int ranks);
 
-  /// Moves the packing `steps` from its start, without histories. Throws std::runtime_error with its
-  /// complaint.
+  /// Takes `steps` time steps from the start of the packing, without histories. Throws std::runtime_error
+  /// with the complaint of LAMMPS.
   LammpsTiming run(const LammpsSetting& setting, std::int64_t steps) const;
 
   /// The packing with the forces before the first step.

@@ -69,15 +69,15 @@ PackingSource told_source(const Options& options) {
     if (options.pressure || options.friction)
       throw InputError(
           options.source +
-          ": its case tells pressure and friction; allowed: --pressure and --friction for a packing "
-          "in a file without a case");
+          ": pressure and friction follow from its case; allowed: --pressure and --friction only for a "
+          "packing in a file without a case");
     return source;
   }
   if (!options.pressure)
     throw InputError(
         options.source +
-        ": no case in it; allowed: the folder of a run, one of its checkpoints, or a packing with "
-        "--pressure and, unless it is 0, --friction");
+        ": it holds no case, so pressure and friction are unknown; allowed: the folder of a run, one of its "
+        "checkpoints, or a packing with --pressure and, unless friction is 0, --friction");
   validate(source.packing);
   Case c;
   c.compaction.pressure = {*options.pressure};

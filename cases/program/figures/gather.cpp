@@ -140,7 +140,7 @@ Gathered gather(const std::vector<fs::path>& folders) {
   if (folders.size() > 1)
     for (const std::string& folder : without_case)
       all.remarks.push_back(fmt::format(
-          "{} has no {}: that its samples were made by the rules of the others is taken for granted", folder,
+          "{} has no {}: it is assumed that its samples were made with the same settings as the others", folder,
           base_case_name));
   return all;
 }

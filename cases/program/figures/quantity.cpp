@@ -50,7 +50,7 @@ std::optional<double> field_of_result(const std::string& name, const std::filesy
   std::ifstream file(path);
   if (!file)
     throw InputError(fmt::format(
-        "{} cannot be read, where {} would stand; allowed: the folder of a sweep with its samples, or --y {}",
+        "{} cannot be read, which should hold {}; allowed: the folder of a sweep with its samples, or --y {}",
         path.string(), name, fmt::join(std::array{"phi_J", "Z", "steps"}, ", ")));
   const Json result = Json::parse(file, nullptr, false);
   const Json* here = &result;
@@ -65,7 +65,7 @@ std::optional<double> field_of_result(const std::string& name, const std::filesy
         if (!column.title.empty() && std::find(known.begin(), known.end(), column.about.name) == known.end())
           known.emplace_back(column.about.name);
       throw InputError(
-          fmt::format("--y {}: neither a column nor a number in {}; allowed: {}, or what stands there", name,
+          fmt::format("--y {}: neither a column nor a number in {}; allowed: {}, or the name of a number in that file", name,
                       path.string(), fmt::join(known, ", ")));
     }
     here = &*found;

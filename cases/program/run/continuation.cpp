@@ -48,7 +48,7 @@ std::ptrdiff_t place_of(const std::optional<Verdict>& end) {
 }
 
 void require_saved(bool held, const char* key) {
-  if (!held) throw InputError(std::string("the checkpoint does not hold what a run goes on with: ") + key);
+  if (!held) throw InputError(std::string("the checkpoint lacks an entry that a run needs to go on: ") + key);
 }
 
 /// The text under a key.
@@ -63,8 +63,8 @@ void refuse_another_version(const Checkpoint& checkpoint) {
   const std::string wrote = found == checkpoint.extras.end() ? "an older version" : found->second;
   if (wrote != build_info().version)
     throw InputError(
-        fmt::format("the checkpoint was written by furnas {} and this is {}, which might go on to "
-                    "other bits; go on with that one, or begin a run with start.file",
+        fmt::format("the checkpoint was written by furnas {} and this is furnas {}, which might give "
+                    "other bits; resume with that version, or begin a new run with start.file",
                     wrote, build_info().version));
 }
 
@@ -73,8 +73,8 @@ void refuse_another_case(const Case& saved, const Case& asked, const std::string
     const std::string was = value_text(key, saved), now = value_text(key, asked);
     if (was == now || changes_no_bit(key)) continue;
     throw InputError(
-        fmt::format("{}: {} = {}, but the checkpoint was saved with {}; a run goes on as it began; for "
-                    "another case begin a new run, with start.file if it is to start from here",
+        fmt::format("{}: {} = {}, but the checkpoint was saved with {}; this key cannot change when "
+                    "a run is resumed; begin a new run, with start.file if it is to start from this packing",
                     file, key.path(), now.empty() ? "nothing" : now, was.empty() ? "nothing" : was));
   }
 }

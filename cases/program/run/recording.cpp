@@ -82,7 +82,7 @@ void RecordFrame::restore(const std::string& saved) {
     if (mark_of(text) != mark)
       throw InputError(
           collection.string() +
-          ": does not have the frames that the run had written when it was saved; put them back");
+          ": lacks frames that the run had written when it was saved; restore the file");
     write_file(collection, text);
   }
   remove_later_frames();

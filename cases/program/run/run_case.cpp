@@ -240,7 +240,7 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
   order.checkpoint = found.file;
   order.checkpoint_seconds = found.seconds;
   if (!found.fault.empty())
-    order.remark = "going on from the older checkpoint " + found.file + ", for " + found.fault;
+    order.remark = "going on from the older checkpoint " + found.file + ", because the newer one is unusable: " + found.fault;
   return order;
 }
 

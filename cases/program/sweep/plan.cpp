@@ -98,7 +98,7 @@ void validate_point(const Case& c, const SweepGrid& grid) {
   }
   // Samples that are one and the same would pass for independent ones that agree to all digits.
   if (!c.start.file.empty() && grid.samples > 1)
-    throw InputError(fmt::format("{}: samples = {} of start.file = \"{}\", which has no seed; allowed: 1",
+    throw InputError(fmt::format("{}: samples = {}, but start.file = \"{}\" is the same start for every seed; allowed: samples = 1",
                                  grid.place, grid.samples, c.start.file));
 }
 
@@ -156,8 +156,8 @@ std::vector<Sample> samples_of(const SweepFile& sweep, const std::vector<std::st
         const auto [place, fresh] = known.emplace(sample.folder, is);
         if (!fresh && place->second != is)
           throw InputError(fmt::format(
-              "{}: {} stands for two cases that differ in another key; allowed: one case for each "
-              "combination of values",
+              "{}: {} would be the folder of two cases, which differ in a key that its name does not have; "
+              "allowed: one case for each combination of values",
               grid.place, sample.folder.string()));
         if (fresh) samples.push_back(std::move(sample));
       }
@@ -204,7 +204,7 @@ SampleState state_of(const Sample& sample) {
   if (!fs::exists(resolved)) return SampleState::missing;
   if (identity(read_case(resolved)) != identity(sample.resolved_case))
     throw InputError(
-        fmt::format("{} holds another case than the sweep asks for there; allowed: remove it, or take "
+        fmt::format("{} holds the run of another case than this sweep has for that folder; remove the folder, or take "
                     "another --out",
                     sample.folder.string()));
   std::ifstream file(sample.folder / "result.json");
@@ -213,8 +213,8 @@ SampleState state_of(const Sample& sample) {
     const std::string version = result.value("version", "an older version");
     if (version != build_info().version)
       throw InputError(fmt::format(
-          "{} was made by furnas {} and this is {}, whose samples may have other bits; allowed: go on with "
-          "that one, remove it, or take another --out",
+          "{} was made by furnas {} and this is furnas {}, whose samples may have other bits; use that version, "
+          "remove the folder, or take another --out",
           sample.folder.string(), version, build_info().version));
     const std::string verdict = result.value("verdict", "");
     const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;

@@ -128,8 +128,8 @@ class Pool {
   }
 
   /// From time to time, and when a sample has ended: looks what other workers do, and starts what there are
-  /// threads for. A sample that needs more waits, and all behind it wait, too: it would wait for ever if they
-  /// went first.
+  /// threads for. A sample that needs more than is free waits, and so do all behind it: if they
+  /// went first, it could wait for ever.
   void share() {
     if (Clock::now() < next_look_) return;
     next_look_ = Clock::now() + pause_;

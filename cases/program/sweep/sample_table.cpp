@@ -178,7 +178,7 @@ SampleTable read_sample_table(const fs::path& folder) {
   read_csv_row(file, table.keys);
   const std::size_t width = table.keys.size();
   if (take_columns(table.keys) == 0)
-    throw InputError(path.string() + ":1: other columns than furnas sweep writes");
+    throw InputError(path.string() + ":1: the columns are not those that furnas sweep writes");
   std::vector<std::string> cells;
   for (int number = 2; read_csv_row(file, cells); ++number) {
     const std::string place = fmt::format("{}:{}", path.string(), number);

@@ -150,7 +150,7 @@ class Sweep {
         console_.err << "the samples that are left are run by other workers on this folder\n";
         return ExitCode::done;
       case PoolEnd::out_of_time:
-        console_.err << "the wall time is spent; all samples are saved, and the same command goes on\n";
+        console_.err << "the wall time is spent; all samples are saved, and the same command, given again, goes on with them\n";
         return ExitCode::samples_left;
       case PoolEnd::stopped:
         break;

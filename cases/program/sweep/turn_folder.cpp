@@ -90,7 +90,8 @@ void TurnFolder::fill() const {
   if (!newest.empty()) copy(newest);
 }
 
-/// The checkpoints first: what they count on is in the other files by then, and those only grow.
+/// Copies the checkpoints first: what a checkpoint needs of the other files was written before it, and those
+/// files only grow.
 void TurnFolder::copy(const fs::path& from) const {
   const fs::path part = path_ / "part";
   fs::remove_all(part);
@@ -133,7 +134,7 @@ void TurnFolder::put_in_place() const {
           fmt::format("{}: cannot put the folder in its place: {}", sample_.string(), std::strerror(error)));
     std::this_thread::sleep_for(std::chrono::milliseconds(100 * tries));
   }
-  throw OutputError(sample_.string() + ": cannot be emptied for what a later turn has made");
+  throw OutputError(sample_.string() + ": the folder cannot be emptied, so the newer result of this sample cannot be put there");
 }
 
 void TurnFolder::remove_earlier() const {

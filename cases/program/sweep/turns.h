@@ -35,7 +35,7 @@ class Turns {
   /// `worker` writes its records here.
   Turns(std::filesystem::path sweep, const Worker& worker);
 
-  /// The name of a sample in the book: its folder as seen from that of the sweep.
+  /// The name of a sample in the book: the path of its folder, relative to the folder of the sweep.
   std::string key_of(const std::filesystem::path& sample) const;
 
   /// Reads what others have written.
