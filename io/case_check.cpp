@@ -9,10 +9,12 @@
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
 #include "engine/monitor/stability.h"
+#include "engine/protocol/protocol.h"
 #include "engine/state/packing.h"
 #include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
+#include "io/result.h"
 
 namespace furnas {
 namespace {
@@ -47,14 +49,14 @@ bool holds_allowed_value(const Key& key, const Case& c) {
 /// one or two spheres and their images, which is no packing, and which often gains energy instead of rest.
 std::optional<Conflict> conflict_of_small_cell(const Case& c) {
   if (c.compaction.cell == "fixed") return {};
-  constexpr double dense = 0.64, least_width = 2;  // of the smallest spheres
+  constexpr double least_width = 2;  // of the smallest spheres
   const Mixture mixture = mixture_of(c);
   const double largest = large_diameter(mixture);
   const double volume = sphere_volume(largest / 2) / (1 - mixture.small_fraction);  // of a large one's share
-  const double width = std::cbrt(static_cast<double>(mixture.large) * volume / dense);
+  const double width = dense_width(static_cast<double>(mixture.large) * volume);
   if (width >= least_width) return {};
-  const double least = std::ceil(std::pow(least_width, 3) * dense / volume);
-  const double thick = std::ceil(std::pow(3 * largest, 3) * dense / volume);
+  const double least = std::ceil(std::pow(least_width / dense_width(volume), 3));
+  const double thick = std::ceil(std::pow(least_thickness * largest / dense_thickness(volume), 3));
   return Conflict{
       "mixture.large",
       fmt::format(

@@ -258,7 +258,8 @@ void apply_override(Case& c, std::string_view assignment) {
   const bool may_be_key = key != nullptr || (dot != std::string::npos && dot + 1 < path.size());
   if (!may_be_key || value.empty())
     throw InputError(
-        fmt::format("{}: {} is not an assignment; allowed: table.key=value, e.g. contact.friction=0.3",
+        fmt::format("{}: {} is not an assignment of a key in its table; allowed: table.key=value, e.g. "
+                    "contact.friction=0.3",
                     override_place, assignment));
   if (key == nullptr)
     refuse_unknown_key(path.substr(0, dot), path.substr(dot + 1), *toml::table{{"v", value}}.get("v"),

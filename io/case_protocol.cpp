@@ -75,12 +75,12 @@ Packing listed_start(const Case::Mixture& mixture) {
   std::vector<double> radii = read_diameters(mixture.diameters).diameters;
   double volume = 0;
   for (double& r : radii) volume += sphere_volume(r *= 0.5);
-  constexpr double dense = 0.64, least_width = 2;  // as for a mixture: io/case_check.cpp
-  if (std::cbrt(volume / dense) < least_width)
+  constexpr double least_width = 2;  // as for a mixture: io/case_check.cpp
+  if (dense_width(volume) < least_width)
     throw InputError(
         fmt::format("mixture.diameters = \"{}\": {} spheres make a cell only {:.1f} smallest "
                     "diameters wide when dense, too narrow to jam; allowed: at least 2, so list more spheres",
-                    mixture.diameters, radii.size(), std::cbrt(volume / dense)));
+                    mixture.diameters, radii.size(), dense_width(volume)));
   return dilute_gas(
       radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});
 }

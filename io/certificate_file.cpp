@@ -26,19 +26,27 @@ std::string failed_parts(const Certificate& c) {
 }
 
 /// What all parts together have proven, and what they have not.
-std::string conclusion(const Certificate& c) {
+std::string conclusion(const Certificate& c, const CertificateTerms& terms) {
+  if (!c.passed() && !terms.histories)
+    return fmt::format(
+        "Not certified: {} failed. The file has no tangential histories, so the tangential forces are taken "
+        "to "
+        "be zero, and forces with friction cannot balance: this says nothing about the packing. Certify the "
+        "folder of its run, or a checkpoint.",
+        failed_parts(c));
   if (!c.passed())
     return fmt::format(
-        "Not certified: {} failed, and a jammed packing passes every part. The parts that passed prove nothing "
+        "Not certified: {} failed, and a jammed packing passes every part. The parts that passed prove "
+        "nothing "
         "on their own.",
         failed_parts(c));
   const bool stable = std::any_of(c.parts.begin(), c.parts.end(),
                                   [](const Part& part) { return part.proves == Proves::sufficient; });
   if (stable)
-    return "Proven, to first order: forces balance at the applied pressure, and every small motion of "
-           "particles and cell costs energy. Not proven: what large motions, long times or a larger cell "
-           "would "
-           "do.";
+    return "Forces balance at the applied pressure within the limits below. Proven, to first order: every "
+           "small "
+           "motion of backbone and cell costs energy. Not proven: what large motions, long times or a larger "
+           "cell would do. Rattlers are free to move, and no part asks about them.";
   return "Proven: the packing meets every condition that was asked and that no jammed packing can miss. Not "
          "proven: that every small motion costs energy, because contacts slide or an eigenvalue is in doubt "
          "(part \"stability\"); large motions, long times and larger cells were not asked.";
@@ -73,7 +81,7 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
   Json eigenvalues = Json::array();
   for (const double x : c.eigenvalues) eigenvalues.push_back(x);
   return {{"of", of},
-          {"conclusion", conclusion(c)},
+          {"conclusion", conclusion(c, terms)},
           {"passed", c.passed()},
           {"failed", failed},
           {"force_balance", to_string(c.balance)},
@@ -106,16 +114,18 @@ std::string line_of(const Finding& f) {
 }  // namespace
 
 std::string certificate_text(const Certificate& c, const CertificateTerms& terms, const std::string& of) {
-  std::string text = fmt::format("Certificate of {}\n\n{}\n\n", of, conclusion(c));
+  std::string text = fmt::format("Certificate of {}\n\n{}\n\n", of, conclusion(c, terms));
   text += fmt::format(
       "{} particles, {} of them in the backbone with {} contacts ({}); by the rule of a run (live contacts "
       "only) {}.\n",
       c.particles, c.backbone, c.contacts, rule, c.live_backbone);
   text += fmt::format("Friction {:g}, p_a {:g}. ", terms.springs.friction(), terms.cell.pressure);
-  text += fmt::format(
-      "Recomputed from positions, radii, cell and tangential histories alone; the run's list lacks {} "
-      "contacts and has {} that are open.\n\n",
-      c.unlisted, c.open);
+  text += terms.histories
+              ? fmt::format(
+                    "Recomputed from positions, radii, cell and tangential histories alone; the run's list "
+                    "lacks {} contacts and has {} that are open.\n\n",
+                    c.unlisted, c.open)
+              : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {
     text += fmt::format("{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
                         part.proves == Proves::sufficient ? " (sufficient to first order)" : "", part.asks);

@@ -10,4 +10,8 @@ namespace furnas {
 /// velocity, spin, force, torque. Throws OutputError.
 void write_packing_csv(const Packing& packing, const std::filesystem::path& path);
 
+/// Writes a line of names and a line for each contact, with the columns of contacts_csv_fields(). Throws
+/// OutputError.
+void write_contacts_csv(const Packing& packing, const std::filesystem::path& path);
+
 }  // namespace furnas

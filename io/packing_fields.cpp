@@ -46,7 +46,8 @@ const VtpField contacts[] = {
 const OutputField xyz[] = {
     {"species", "", "each particle",
      "a chemical element that stands for the type, for programs that ask for one"},
-    {"species_name", "", "each particle", "large, small, or the name of the type in the start file"},
+    {"species_name", "", "each particle",
+     "large, small, sphere in a polydisperse packing, or the name of the type in the start file"},
     {"id", "", "each particle", "1, 2, 3, ..., or that of the start file"},
     {"pos", length, "each particle", "centre, within the cell"},
     {"image", "", "each particle", "cells crossed along each edge"},
@@ -60,7 +61,8 @@ const OutputField xyz[] = {
 
 const OutputField csv[] = {
     {"id", "", "each particle", "1, 2, 3, ..., or that of the start file"},
-    {"species", "", "each particle", "large, small, or the name of the type in the start file"},
+    {"species", "", "each particle",
+     "large, small, sphere in a polydisperse packing, or the name of the type in the start file"},
     {"radius", length, "each particle", "half the diameter"},
     {"mass", mass, "each particle", "of the sphere, at density rho"},
     {"x", length, "each particle", "centre, within the cell"},
@@ -81,11 +83,28 @@ const OutputField csv[] = {
     {"type", "", "each particle", "1, 2, 3, ... of the start file; else 1 large, 2 small"},
 };
 
+const OutputField contacts_table[] = {
+    {"i", "", "each contact", "id of a particle"},
+    {"j", "", "each contact", "id of the particle whose image i touches"},
+    {"branch_x", length, "each contact", "from the centre of that image of j to the centre of i"},
+    {"branch_y", length, "each contact", "the same"},
+    {"branch_z", length, "each contact", "the same"},
+    {"overlap", length, "each contact", "R_i + R_j - distance of the centres, positive"},
+    {"force_x", force, "each contact", "on i; on j acts the opposite"},
+    {"force_y", force, "each contact", "the same"},
+    {"force_z", force, "each contact", "the same"},
+    {"history_x", length, "each contact", "tangential displacement of i against j"},
+    {"history_y", length, "each contact", "the same"},
+    {"history_z", length, "each contact", "the same"},
+    {"sliding", "", "each contact", "1 at the Coulomb limit, else 0"},
+};
+
 }  // namespace
 
 std::span<const VtpField> packing_vtp_fields() { return vtp; }
 std::span<const VtpField> contacts_vtp_fields() { return contacts; }
 std::span<const OutputField> extended_xyz_fields() { return xyz; }
 std::span<const OutputField> packing_csv_fields() { return csv; }
+std::span<const OutputField> contacts_csv_fields() { return contacts_table; }
 
 }  // namespace furnas

@@ -25,4 +25,7 @@ std::span<const OutputField> extended_xyz_fields();
 /// The columns of packing.csv.
 std::span<const OutputField> packing_csv_fields();
 
+/// The columns of a table of contacts.
+std::span<const OutputField> contacts_csv_fields();
+
 }  // namespace furnas

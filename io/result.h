@@ -30,6 +30,7 @@ struct Result {
   bool polydisperse{};                     ///< spheres of one species differ in size
   Sizes sizes;                             ///< of the spheres
   double mean_diameter{};                  ///< [d_s]
+  std::optional<double> listed_unit;       ///< what 1 d_s is in the unit of mixture.diameters
   double time_step{};                      ///< [time]
   double pressure{};                       ///< of the bath at the end [k_n/d_s]
   double inertia{};                        ///< W [rho d_s^5]

@@ -112,6 +112,7 @@ const ResultField fields[] = {
     {{"diameters.smallest", "d_s", "packing", "diameter of the smallest sphere"}, FURNAS_FIELD(r.sizes.smallest)},
     {{"diameters.mean", "d_s", "mean over the spheres", "diameter"}, FURNAS_FIELD(r.mean_diameter)},
     {{"diameters.largest", "d_s", "packing", "diameter of the largest sphere"}, FURNAS_FIELD(r.sizes.largest)},
+    {{"diameters.listed_unit", "that of mixture.diameters", "run", "what 1 d_s is in the unit of the list: multiply lengths by it; null without a list, or if it cannot be read any more"}, FURNAS_FIELD(r.listed_unit ? Json(*r.listed_unit) : Json(nullptr))},
     {{"cell.lx", "d_s", "cell", "edges of the cell are (lx, 0, 0), (xy, ly, 0), (xz, yz, lz)"}, FURNAS_MEASURE(m.cell.edges.xx)},
     {{"cell.ly", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.yy)},
     {{"cell.lz", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.zz)},

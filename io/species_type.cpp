@@ -26,6 +26,7 @@ std::string name_of_type(const Packing& p, std::int32_t type) {
   const auto place = static_cast<std::size_t>(type) - 1;
   if (place < p.labels.names.size()) return p.labels.names[place];
   if (!p.labels.type.empty() || type > 2) return std::to_string(type);
+  if (is_polydisperse(p)) return "sphere";
   return std::string(name_of(type == 1 ? Species::large : Species::small));
 }
 

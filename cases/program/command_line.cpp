@@ -9,12 +9,28 @@
 #include "engine/base/numbers.h"
 
 namespace furnas {
+namespace {
+
+/// A check of a number that says what is allowed: CLI11's own names the largest number with all its digits.
+CLI::Validator checked(bool (*holds)(double), const char* allowed) {
+  return {[=](std::string& text) {
+            const auto number = number_in<double>(text);
+            return number && holds(*number) ? std::string() : text + "; allowed: " + allowed;
+          },
+          ""};
+}
+
+}  // namespace
 
 Argument Argument::required() { return Argument(*option_->required()); }
 Argument Argument::showing_default() { return Argument(*option_->capture_default_str()); }
 Argument Argument::separated_by(char letter) { return Argument(*option_->delimiter(letter)); }
-Argument Argument::above_zero() { return Argument(*option_->check(CLI::PositiveNumber)); }
-Argument Argument::not_negative() { return Argument(*option_->check(CLI::NonNegativeNumber)); }
+Argument Argument::above_zero() {
+  return Argument(*option_->check(checked([](double x) { return x > 0; }, "a number above 0")));
+}
+Argument Argument::not_negative() {
+  return Argument(*option_->check(checked([](double x) { return x >= 0; }, "0 or a number above it")));
+}
 Argument Argument::between(int least, int most) { return Argument(*option_->check(CLI::Range(least, most))); }
 Argument Argument::between(double least, double most) {
   return Argument(*option_->check(CLI::Range(least, most)));

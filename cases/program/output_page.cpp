@@ -88,8 +88,10 @@ void add_packing(Page& page) {
       "after the other) [d_s], `Origin` (its corner), `Step` and `Time`; where the start file numbers its "
       "types, `species_type` stands behind `species_name`.");
   for (const OutputField& field : extended_xyz_fields()) page.row(field);
-  page.section("packing.csv", "The spheres as `furnas export FOLDER packing.csv` writes them.");
+  page.section("packing.csv", "The spheres as `furnas export FOLDER csv` writes them.");
   for (const OutputField& field : packing_csv_fields()) page.row(field);
+  page.section("contacts.csv", "The contacts as `furnas export FOLDER contacts` writes them.");
+  for (const OutputField& field : contacts_csv_fields()) page.row(field);
 }
 
 void add_sweep(Page& page) {

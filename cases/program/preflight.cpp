@@ -9,6 +9,7 @@
 #include "cases/program/run/progress.h"
 #include "engine/base/sphere.h"
 #include "engine/monitor/stability.h"
+#include "engine/protocol/protocol.h"
 #include "engine/simulation.h"
 #include "io/case_protocol.h"
 #include "io/diameters_file.h"
@@ -132,6 +133,15 @@ std::string unit_of_list(const Case& c) {
                      c.mixture.diameters);
 }
 
+/// A size ratio that nothing has, since a mixture without small spheres is one of equal spheres.
+std::string remark_on_size_ratio(const Case& c) {
+  if (c.mixture.size_ratio == 1 || c.mixture.small_fraction > 0) return {};
+  return fmt::format(
+      "mixture.size_ratio = {:g} has no effect: with mixture.small_fraction = 0 all spheres have the "
+      "diameter 1",
+      c.mixture.size_ratio);
+}
+
 }  // namespace
 
 double expected_memory(double particles, const Case& c) {
@@ -159,15 +169,13 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
   out.refusal = refusal_of_units(n, c);
-  out.remark = unit_of_list(c);
+  out.remark = unit_of_list(c) + remark_on_size_ratio(c);
   for (const std::string& units : {out.refusal, out.remark})
     if (!units.empty()) out.report += "units     " + units + "\n";
 
-  const double dense = 0.64;
-  const double edge = std::cbrt(n.volume / dense);
-  const double diameters = edge / n.sizes.largest;
+  const double diameters = dense_thickness(n.volume) / n.sizes.largest;
   out.report += fmt::format(
-      "cell      about {:.1f} largest diameters wide when dense{}{}\n", diameters,
+      "cell      about {:.1f} largest diameters thick when dense{}{}\n", diameters,
       remark_on_thickness(diameters),
       diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles, c) / 1e9);

@@ -23,6 +23,7 @@ struct CertificateTerms {
   double stress_error = 1e-3;      ///< |P - p_a| of each component the cell answers to, over p_a
   double cone_excess = 1e-2;       ///< (|F_t| - mu F_n)/(mu mean F_n) of any one contact
   int eigenvalues = 6;             ///< shown
+  bool histories = true;           ///< the packing has the tangential displacements of its contacts
 };
 
 /// How closely forces balance.

@@ -66,8 +66,15 @@ double smallest_kept_diameter(const Protocol& p, const Packing& start) {
   return 2 * kept_radius(p.precision, smallest_diameter(start) / 2);
 }
 
+double dense_width(double sphere_volume) { return std::cbrt(sphere_volume / reference_fraction); }
+
+double dense_thickness(double sphere_volume) {
+  constexpr double of_a_cube = 0.94;
+  return of_a_cube * dense_width(sphere_volume);
+}
+
 double cell_inertia(double beta, double mass, double sphere_volume) {
-  const double length = std::cbrt(sphere_volume / reference_fraction);
+  const double length = dense_width(sphere_volume);
   return beta * mass * length * length / 12;
 }
 

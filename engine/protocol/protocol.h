@@ -65,6 +65,13 @@ double smallest_diameter(const Packing& packing);
 /// The same as a simulation of this start keeps it.
 double smallest_kept_diameter(const Protocol& protocol, const Packing& start);
 
+/// Edge of the cube that spheres of this volume fill to 0.64 [d_s].
+double dense_width(double sphere_volume);
+
+/// Least distance between opposite faces of the dense cell, about [d_s]: cells are no cubes, and end 3 to 8 %
+/// flatter (docs/guide/how-sure.md).
+double dense_thickness(double sphere_volume);
+
 /// W = beta M L_ref^2/12 with L_ref^3 = V_s/0.64: the inertia of a cube of the packing itself, M and V_s
 /// being mass and volume of all spheres [rho d_s^5].
 double cell_inertia(double beta, double mass, double sphere_volume);

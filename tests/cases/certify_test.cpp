@@ -15,9 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using testing::Contains;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// One of the jammed packings of 200 equal spheres that tests/data/README.md describes, as a run would save
 /// it.
@@ -191,7 +193,23 @@ TEST(Certify, SaysWhatItCannotUse) {
   EXPECT_EQ(answer.code, ExitCode::bad_case);
   EXPECT_THAT(answer.err, HasSubstr("cannot be made"));
   write_packing(packing.packing(), "vtp", runs.path("a.vtp"));
-  EXPECT_THAT(furnas({"certify", runs.path("a.vtp")}).err, HasSubstr("no case in it"));
+  EXPECT_THAT(furnas({"certify", runs.path("a.vtp")}).err, HasSubstr("it holds no case"));
+}
+
+TEST(Certify, SaysThatAFileHasNoHistories) {
+  const Runs runs;
+  Certified packing("0.3");
+  write_packing(packing.packing(), "extxyz", runs.path("a.xyz"));
+  const std::vector<std::string> command{"certify", runs.path("a.xyz"), "--pressure", "1e-3"};
+  const auto with_friction = [&](const std::string& friction) {
+    auto words = command;
+    words.insert(words.end(), {"--friction", friction});
+    return furnas(words).out;
+  };
+  const std::string said = "the file has no tangential histories";
+  EXPECT_THAT(with_friction("0.3"), AllOf(HasSubstr(said), HasSubstr("this says nothing about the packing")));
+  EXPECT_THAT(with_friction("0"), Not(HasSubstr(said)));
+  EXPECT_THAT(packing.certify().out, Not(HasSubstr(said)));
 }
 
 TEST(Certify, MakesTheFolderThatIsNamed) {

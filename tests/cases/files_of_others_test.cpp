@@ -156,6 +156,7 @@ TEST(FilesOfOthers, ManySizesAreSaidToBeMany) {
   ASSERT_EQ(furnas({"run", runs.path("p.toml"), "--out", runs.path("p")}).code, ExitCode::budget_spent);
   EXPECT_TRUE(runs.result("p")["large"].is_null());
   EXPECT_EQ(runs.result("p")["polydisperse"], true);
+  EXPECT_THAT(content(runs.path("p/packing.extxyz")), Not(HasSubstr("large")));
 }
 
 TEST(FilesOfOthers, ARunKeepsIdsAndTypes) {

@@ -80,6 +80,9 @@ TEST(Preflight, SaysThatSpheresOfOneSizeAreAllEqual) {
   EXPECT_THAT(check_case(c).report, HasSubstr(equal));
   c.mixture.size_ratio = 2;
   EXPECT_THAT(check_case(c).report, Not(HasSubstr(equal)));
+  EXPECT_EQ(check_case(c).remark, "");
+  c.mixture.small_fraction = 0;
+  EXPECT_THAT(check_case(c).remark, HasSubstr("size_ratio = 2 has no effect"));
 }
 
 TEST(Preflight, RefusesWhatTheMachineCannotHold) {

@@ -142,7 +142,7 @@ TEST(ReliableSplitRun, RefusesFilesThatAreNotItsOwn) {
     write_file(runs.path(name), changed);
     const Answer answer = runs.resume("a", {"--steps", "200"});
     EXPECT_EQ(answer.code, ExitCode::bad_case) << name;
-    EXPECT_THAT(answer.err, testing::HasSubstr("put them back"));
+    EXPECT_THAT(answer.err, testing::HasSubstr("restore the file"));
     write_file(runs.path(name), good);
   }
   EXPECT_EQ(runs.resume("a", {"--steps", "200"}).code, ExitCode::budget_spent);

@@ -68,6 +68,19 @@ TEST(PackingFields, AreThePropertiesOfExtendedXyz) {
   EXPECT_EQ(written, told);
 }
 
+TEST(PackingFields, AreTheColumnsOfContactsCsv) {
+  const TemporaryFolder folder;
+  Packing p = random_packing(1);
+  p.contacts = {{.i = 2, .j = 0, .sliding = true, .branch = {1, 2, 3}, .overlap = 0.25, .force = {4, 5, 6}}};
+  write_contacts_csv(p, folder / "a.csv");
+  const std::string text = content(folder / "a.csv");
+  std::string names;
+  for (const OutputField& field : contacts_csv_fields())
+    names += (names.empty() ? "" : ",") + std::string(field.name);
+  EXPECT_EQ(text, names + "\n" + std::to_string(p.id(2)) + "," + std::to_string(p.id(0)) +
+                      ",1,2,3,0.25,4,5,6,0,0,0,1\n");
+}
+
 TEST(PackingFields, AreTheColumnsOfPackingCsv) {
   const TemporaryFolder folder;
   write_packing_csv(random_packing(1), folder / "a.csv");

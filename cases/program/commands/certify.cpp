@@ -58,6 +58,7 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   terms.stress_error = options.stress_error.value_or(rest.stress_error);
   terms.cone_excess = options.cone_excess.value_or(terms.cone_excess);
   terms.eigenvalues = options.eigenvalues;
+  terms.histories = !options.pressure || options.friction.value_or(0) == 0;  // a file keeps none
   return terms;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/protocol/protocol.h"
 #include "io/atomic_file.h"
 #include "io/formats.h"
+#include "io/packing_csv.h"
 #include "io/voxels.h"
 #include "viz/solid_surface.h"
 
@@ -71,6 +72,18 @@ struct SolidFormat {
 
 constexpr SolidFormat solids[] = {{"stl", ".stl", export_stl}, {"voxels", ".mhd", export_voxels}};
 
+/// No format either: the contacts alone, for scripts.
+constexpr const char* contacts = "contacts";
+
+void export_contacts(const Options& options, const std::string& out) {
+  const Packing packing = packing_source(options.source, options.frame).packing;
+  if (packing.contacts.empty())
+    throw InputError(options.source +
+                     ": holds no contacts; allowed for contacts: the folder of a run, or a checkpoint");
+  make_folder_of(out);
+  write_contacts_csv(packing, out);
+}
+
 const SolidFormat* solid_of(const std::string& name) {
   for (const SolidFormat& solid : solids)
     if (solid.name == name) return &solid;
@@ -118,7 +131,8 @@ Command export_command() {
     add_packing_source(app, options->source, options->frame);
     app.add("FORMAT", options->format,
             names_of_written_formats() +
-                "; stl: the union of the spheres as triangles; voxels: a MetaImage, 1 in a sphere and 0 "
+                "; contacts: a CSV of them; stl: the union of the spheres as triangles; voxels: a MetaImage, "
+                "1 in a sphere and 0 "
                 "between them, of the box that repeats; lammps: a folder with data file, input deck and "
                 "README")
         .required();
@@ -137,6 +151,12 @@ Command export_command() {
     remark_on_older_checkpoint(options->source, console.err);
     if (options->format == kit) {
       console.out << write_kit(*options) << '\n';
+      return ExitCode::done;
+    }
+    if (options->format == contacts) {
+      const std::string out = options->out.empty() ? "contacts.csv" : options->out;
+      export_contacts(*options, out);
+      console.out << out << '\n';
       return ExitCode::done;
     }
     const SolidFormat* solid = solid_of(options->format);

@@ -232,15 +232,16 @@ class CurvesChart {
   }
 
   void tell_missing(const std::map<Rules, std::size_t>& missing) {
-    std::set<std::string> told;
-    for (const auto& [rules, k] : missing) {
-      const std::string command = command_for_equal_spheres(subject_.all.sweeps[k], row(k).friction);
-      if (told.insert(command).second)
-        remarks_.push_back(fmt::format(
-            "no model at friction {}: it needs phi_mono of equal spheres by the same rules, and these sweeps "
-            "have none. To make them: {}, and plot that folder too",
-            row(k).friction, command));
-    }
+    std::set<double> frictions;
+    for (const auto& [rules, k] : missing) frictions.insert(row(k).friction);
+    if (missing.empty()) return;
+    const std::size_t k = missing.begin()->second;
+    remarks_.push_back(
+        fmt::format("no model at friction {}: it needs phi_mono of equal spheres with the same settings, and "
+                    "these sweeps "
+                    "have none. To make them{}: {}, and plot that folder too",
+                    fmt::join(frictions, ", "), frictions.size() > 1 ? ", for the first" : "",
+                    command_for_equal_spheres(subject_.all.sweeps[k], row(k).friction)));
   }
 
   const std::vector<CurveOfSamples>& curves_;

@@ -64,16 +64,22 @@ std::optional<double> field_of_result(const std::string& name, const std::filesy
       for (const SampleColumn& column : sample_columns())
         if (!column.title.empty() && std::find(known.begin(), known.end(), column.about.name) == known.end())
           known.emplace_back(column.about.name);
-      throw InputError(
-          fmt::format("--y {}: neither a column nor a number in {}; allowed: {}, or the name of a number in that file", name,
-                      path.string(), fmt::join(known, ", ")));
+      throw InputError(fmt::format(
+          "--y {}: neither a column nor a number in {}; allowed: {}, or the name of a number in that file",
+          name, path.string(), fmt::join(known, ", ")));
     }
     here = &*found;
     at = dot + 1;
   }
   if (here->is_null()) return {};
   if (!here->is_number())
-    throw InputError(fmt::format("--y {}: {} in {} is no number", name, here->dump(), path.string()));
+    throw InputError(
+        fmt::format("--y {}: in {} this is {} and no number; allowed: the name of a number in it, "
+                    "with a dot before each inner name, as cell.lx",
+                    name, path.string(),
+                    here->is_array()    ? "a list"
+                    : here->is_object() ? "a group of fields"
+                                        : "a word"));
   return here->get<double>();
 }
 

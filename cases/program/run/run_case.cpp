@@ -21,6 +21,7 @@
 #include "io/atomic_file.h"
 #include "io/case_file.h"
 #include "io/case_protocol.h"
+#include "io/diameters_file.h"
 #include "io/manifest.h"
 #include "io/outputs.h"
 #include "viz/picture.h"
@@ -169,6 +170,8 @@ Result Run::result_of(const Outcome& outcome) {
   result.sizes = sizes_of(radii);
   result.mean_diameter =
       2 * std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
+  if (!case_.mixture.diameters.empty() && std::filesystem::exists(case_.mixture.diameters))
+    result.listed_unit = read_diameters(case_.mixture.diameters).unit;
   const Model& model = run_->simulation().model();
   result.time_step = model.time_step;
   result.pressure = model.barostat.pressure;
@@ -240,7 +243,8 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
   order.checkpoint = found.file;
   order.checkpoint_seconds = found.seconds;
   if (!found.fault.empty())
-    order.remark = "going on from the older checkpoint " + found.file + ", because the newer one is unusable: " + found.fault;
+    order.remark = "going on from the older checkpoint " + found.file +
+                   ", because the newer one is unusable: " + found.fault;
   return order;
 }
 
@@ -287,6 +291,9 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   if (r.polydisperse)
     text += fmt::format("sizes     {}, diameters from {:.4g} to {:.4g} d_s, mean {:.4g}\n", r.sizes.count,
                         r.sizes.smallest, r.sizes.largest, r.mean_diameter);
+  if (r.listed_unit)
+    text += fmt::format("units     1 d_s is {:g}, the smallest diameter in {}\n", *r.listed_unit,
+                        c.mixture.diameters);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
                       remark_on_thickness(r.thickness()));
   text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,

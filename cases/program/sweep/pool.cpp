@@ -172,7 +172,7 @@ class Pool {
     // The expected pace counts like a minute of measurement.
     constexpr double minute = 60;
     const double pace = (all_ - left + minute * expected) / (seconds + minute);
-    s.seconds_left = left / pace;
+    s.seconds_left = std::max(left, 0.0) / pace;
     return s;
   }
 

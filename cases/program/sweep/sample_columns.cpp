@@ -15,10 +15,10 @@ const SampleColumn sample_column_table[] = {
     {{"seed", "", "sample", "mixture.seed, which chooses the random start"},
      "seed",
      [](SampleRow& r) -> Value { return &r.seed; }},
-    {{"large", "", "total", "large spheres; 0 when there is no result"},
+    {{"large", "", "total", "large spheres; empty in a polydisperse packing, and when there is no result"},
      "N_l",
      [](SampleRow& r) -> Value { return &r.large; }},
-    {{"small", "", "total", "small spheres; 0 when there is no result"},
+    {{"small", "", "total", "small spheres; empty as well"},
      "N_s",
      [](SampleRow& r) -> Value { return &r.small; }},
     {{"verdict", "", "sample",
@@ -82,13 +82,25 @@ const SampleColumn sample_column_table[] = {
      "p_a / (k_n/d_s)",
      [](SampleRow& r) -> Value { return &r.pressure; }},
     {{"preset", "", "sample", "the preset of the case"}, "", [](SampleRow& r) -> Value { return &r.preset; }},
+    {{"particles", "", "total",
+      "spheres; those that are not in the backbone are rattlers. Empty in tables of older versions"},
+     "spheres",
+     [](SampleRow& r) -> Value { return &r.particles; }},
 };
 
 }  // namespace
 
 std::span<const SampleColumn> sample_columns() { return sample_column_table; }
 
+/// Whether a column counts spheres of a species, which a polydisperse packing and a sample without a result
+/// do not have.
+bool counts_a_species(const SampleColumn& column) {
+  const std::string_view name = column.about.name;
+  return name.starts_with("large") || name.starts_with("small");
+}
+
 std::string cell_of(const SampleColumn& column, const SampleRow& row) {
+  if (counts_a_species(column) && row.large + row.small == 0) return "";
   // A column hands out its value for reading and writing alike; the copy keeps `row` out of reach.
   SampleRow copy = row;
   const Value value = column.value(copy);
@@ -99,6 +111,7 @@ std::string cell_of(const SampleColumn& column, const SampleRow& row) {
 }
 
 std::optional<double> number_of(const SampleColumn& column, const SampleRow& row) {
+  if (counts_a_species(column) && row.large + row.small == 0) return {};
   SampleRow copy = row;
   const Value value = column.value(copy);
   if (auto* const* count = std::get_if<std::int64_t*>(&value)) return static_cast<double>(**count);

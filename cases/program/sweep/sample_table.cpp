@@ -44,7 +44,7 @@ SampleRow row_of_case(const Sample& sample) {
   row.small_fraction = c.mixture.small_fraction;
   row.friction = c.contact.friction;
   row.seed = c.mixture.seed;
-  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = unknown;
+  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = row.particles = unknown;
   row.pressure = c.compaction.pressure.back();
   row.preset = c.preset;
   return row;
@@ -53,6 +53,7 @@ SampleRow row_of_case(const Sample& sample) {
 void take_result(SampleRow& row, const Json& r) {
   row.large = count_in(r.at("large"));
   row.small = count_in(r.at("small"));
+  row.particles = number(r.value("particles", Json()));
   row.verdict = r.at("verdict");
   row.reason = r.at("reason");
   row.phi_J = number(r.at("phi_J"));
@@ -93,7 +94,7 @@ SampleRow row_of(const Sample& sample) {
   return row;
 }
 
-/// Puts the text of a cell into a row; an empty cell is an unknown number.
+/// Puts the text of a cell into a row; an empty cell is an unknown number, or a count of 0.
 void take_cell(const SampleColumn& column, const std::string& text, SampleRow& row,
                const std::string& place) {
   const auto refused = [&] {
@@ -106,9 +107,9 @@ void take_cell(const SampleColumn& column, const std::string& text, SampleRow& r
         if constexpr (std::is_same_v<Type, std::string>) {
           *field = text;
         } else {
-          const bool empty = std::is_floating_point_v<Type> && text.empty();
-          const std::optional<Type> value =
-              empty ? std::numeric_limits<Type>::quiet_NaN() : number_in<Type>(text);
+          const Type unknown_here =
+              std::is_floating_point_v<Type> ? std::numeric_limits<Type>::quiet_NaN() : 0;
+          const std::optional<Type> value = text.empty() ? unknown_here : number_in<Type>(text);
           if (!value) throw refused();
           *field = *value;
         }

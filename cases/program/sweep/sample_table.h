@@ -38,10 +38,11 @@ struct SampleRow {
   std::int64_t evaluations{};  ///< of the minimizer; 0 in a table that was read
   std::string state_hash;
   /// Of the cell, in diameters of the largest sphere; NaN without a result, and in tables of older versions,
-  /// as the two below.
+  /// as what follows.
   double thickness = std::numeric_limits<double>::quiet_NaN();
-  double pressure = std::numeric_limits<double>::quiet_NaN();  ///< of the bath at the end, p_a [k_n/d_s]
-  std::string preset;                                          ///< of the case; empty if not known
+  double pressure = std::numeric_limits<double>::quiet_NaN();   ///< of the bath at the end, p_a [k_n/d_s]
+  std::string preset;                                           ///< of the case; empty if not known
+  double particles = std::numeric_limits<double>::quiet_NaN();  ///< spheres
 
   bool jammed() const { return verdict == "jammed"; }
   bool settled() const { return verdict == "settled"; }

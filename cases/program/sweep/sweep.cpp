@@ -150,12 +150,14 @@ class Sweep {
         console_.err << "the samples that are left are run by other workers on this folder\n";
         return ExitCode::done;
       case PoolEnd::out_of_time:
-        console_.err << "the wall time is spent; all samples are saved, and the same command, given again, goes on with them\n";
+        console_.err << "the wall time is spent; all samples are saved, and the same command, given again, "
+                        "goes on with them\n";
         return ExitCode::samples_left;
       case PoolEnd::stopped:
         break;
     }
-    console_.err << "stopped by a signal; all samples are saved, and the same command goes on\n";
+    console_.err << "stopped by a signal; all samples are saved, and the same command, given again, goes on "
+                    "with them\n";
     return ExitCode::interrupted;
   }
 
@@ -184,7 +186,7 @@ class Sweep {
 
   void summarize() const {
     const SampleTable table = table_of(samples_, keys_);
-    Table text({"point", "samples", "jammed", "settled", "phi_J", "+- (95 %)", "finite size", "Z",
+    Table text({"point", "samples", "jammed", "settled", "phi_J", "+- (95 %)", "finite size", "Z backbone",
                 "effective size", "thickness"});
     for (const Point& p : points_of(table)) {
       const auto& phi = p.mean_phi_J;

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "engine/protocol/protocol.h"
 #include "io/case_protocol.h"
 #include "io/diameters_file.h"
 #include "io/result.h"
@@ -16,7 +17,6 @@ namespace furnas {
 
 double dense_thickness(const Case& c) {
   if (!c.start.file.empty()) return std::numeric_limits<double>::infinity();
-  constexpr double dense = 0.64;
   double volume = 0, largest = 1;  // of all spheres in those of a smallest one, and [d_s]
   if (!c.mixture.diameters.empty()) {
     for (const double d : read_diameters(c.mixture.diameters).diameters) {
@@ -28,7 +28,7 @@ double dense_thickness(const Case& c) {
     largest = mixture.size_ratio;
     volume = static_cast<double>(mixture.large) * std::pow(largest, 3) + small_count(mixture);
   }
-  return std::cbrt(std::numbers::pi / 6 * volume / dense) / largest;
+  return dense_thickness(std::numbers::pi / 6 * volume) / largest;
 }
 
 std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
@@ -52,7 +52,7 @@ std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
                 : fmt::format("lists {:.1f} times as long make", std::pow(least_thickness / thinnest, 3));
   return fmt::format(
       "cells     of {} of {} points too thin to stand for a large packing, down to {:.1f} largest diameters "
-      "when dense; {} all {:g} wide\n",
+      "when dense; {} all {:g} thick\n",
       thin, points.size(), thinnest, remedy, least_thickness);
 }
 

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// How wide a cell of the case is once its spheres fill 0.64 of a cube, in largest diameters; infinite where
+/// About how thick a cell of the case is once it is dense, in largest diameters; infinite where
 /// the start is a packing in a file.
 double dense_thickness(const Case& c);
 

@@ -175,7 +175,7 @@ TEST(Gathered, ReadsOlderSweepsByTheCasesOfTheirSamples) {
   EXPECT_EQ(all.varying()[1].key, "compaction.pressure");
   EXPECT_THAT(all.varying()[1].values, ElementsAre("0.001", "0.01"));
   EXPECT_THAT(all.remarks, IsEmpty());
-  EXPECT_THAT(gather({made.add(table), other}).remarks, ElementsAre(HasSubstr("taken for granted")));
+  EXPECT_THAT(gather({made.add(table), other}).remarks, ElementsAre(HasSubstr("it is assumed")));
 }
 
 TEST(Gathered, KeysThatDoNotBearOnPhiDoNotTellSamplesApart) {

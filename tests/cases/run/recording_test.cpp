@@ -172,7 +172,7 @@ TEST(ReliableRecordFrame, GoesOnAfterTheCheckpoint) {
   record(two, 1);
   EXPECT_EQ(times(), (std::vector<double>{5, 10, 25}));
   write_file(folder / "frames.pvd", frames_text({{5, frame_file(0)}}));
-  EXPECT_NE(input_error([&] { record(two, 0); }).find("put them back"), std::string::npos);
+  EXPECT_NE(input_error([&] { record(two, 0); }).find("restore the file"), std::string::npos);
   EXPECT_EQ(record("", 0), "");  // a fresh run has none
   EXPECT_FALSE(fs::exists(folder / "frames.pvd") || fs::exists(folder / frame_file(0)));
 }

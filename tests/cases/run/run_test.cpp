@@ -51,6 +51,18 @@ TEST(Run, SaysThatAFewLargeSpheresAreTooFew) {
   EXPECT_LT(runs.result("a")["thickness_in_largest_diameters"], 3);
 }
 
+TEST(Run, KeepsTheUnitOfAListOfDiameters) {
+  const Runs runs;
+  std::string list;
+  for (int k = 0; k < 40; ++k) list += std::to_string(250 + 5 * k) + "\n";
+  write_file(runs.path("list.txt"), list);
+  const Answer answer = runs.run("a", {"mixture.diameters=list.txt", "stop.steps=10"});
+  EXPECT_EQ(runs.result("a")["diameters"]["listed_unit"], 250);
+  EXPECT_THAT(content(runs.path("a/log.txt")), HasSubstr("units     1 d_s is 250, the smallest diameter in"));
+  ASSERT_EQ(runs.run("b", {"stop.steps=10"}).code, ExitCode::budget_spent);
+  EXPECT_TRUE(runs.result("b")["diameters"]["listed_unit"].is_null());
+}
+
 TEST(Run, LeavesItsFolder) {
   const Runs runs;
   ASSERT_EQ(runs.run("a", {"stop.steps=500"}).code, ExitCode::budget_spent);

@@ -47,12 +47,12 @@ TEST(ThinCells, OfAListOfDiametersAreMeasuredByTheLargest) {
   Case c;
   c.mixture.diameters = folder / "list.txt";
   write_file(c.mixture.diameters, "20\n40\n40\n");
-  // (pi/6 (1 + 8 + 8)/0.64)^(1/3)/2
-  EXPECT_NEAR(dense_thickness(c), 1.202, 1e-3);
+  // 0.94 (pi/6 (1 + 8 + 8)/0.64)^(1/3)/2
+  EXPECT_NEAR(dense_thickness(c), 1.130, 1e-3);
   SweepFile sweep{c, {{{{"contact.friction", {"0.1", "0.3"}}}, 1, "here"}}};
   EXPECT_EQ(keys_of(sweep), std::vector<std::string>{"contact.friction"});
   EXPECT_THAT(remark_on_thin_cells(samples_of(sweep, keys_of(sweep), "")),
-              HasSubstr("lists 15.5 times as long"));
+              HasSubstr("lists 18.7 times as long"));
 }
 
 TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
@@ -62,14 +62,15 @@ TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
   };
   EXPECT_THAT(remark({"100", "200"}), IsEmpty());
   EXPECT_THAT(remark({"10", "100"}), HasSubstr("of 1 of 2 points too thin"));
-  // 10 large spheres and 67 small: (pi/6 (270 + 67)/0.64)^(1/3)/3 = 2.17 wide; 27 times (3/2.17)^3 make 3.
-  EXPECT_THAT(remark({"10"}), testing::AllOf(HasSubstr("down to 2.2"), HasSubstr("mixture.large = 27")));
+  // 10 large spheres and 67 small: 0.94 (pi/6 (270 + 67)/0.64)^(1/3)/3 = 2.04 thick; (3/2.04)^3 times as many
+  // make 3.
+  EXPECT_THAT(remark({"10"}), testing::AllOf(HasSubstr("down to 2.0"), HasSubstr("mixture.large = 32")));
   Case c;
   c.mixture.size_ratio = 3;
   c.mixture.small_fraction = 0.2;
-  c.mixture.large = 27;
+  c.mixture.large = 32;
   EXPECT_GE(dense_thickness(c), 3);
-  c.mixture.large = 26;
+  c.mixture.large = 31;
   EXPECT_LT(dense_thickness(c), 3);
 }
 

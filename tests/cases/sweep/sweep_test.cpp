@@ -258,7 +258,7 @@ TEST_F(Sweeps, RefusesAnotherCaseInItsFolder) {
   ASSERT_EQ(sweep("out").code, 0);
   const Ending other = sweep("out", {"--set", "contact.normal_damping=0.4"});
   EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.out, HasSubstr("holds another case"));
+  EXPECT_THAT(other.out, HasSubstr("holds the run of another case"));
 }
 
 TEST_F(Sweeps, RefusesTheFolderOfARun) {

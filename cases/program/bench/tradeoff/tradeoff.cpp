@@ -45,7 +45,8 @@ class Tradeoff {
                                 order_.folder.string())
                  << std::flush;
     if (whole) return ExitCode::done;
-    console_.err << "stopped by a signal; all samples are saved, and the same command goes on\n";
+    console_.err << "stopped by a signal; all samples are saved, and the same command, given again, goes on "
+                    "with them\n";
     return ExitCode::interrupted;
   }
 
