@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Where contacts point to: the mean of n (x) n over contacts (M. Satake, 1982). Its trace is 1.
+/// The directions of contacts: the mean of n (x) n over contacts (M. Satake, 1982). Its trace is 1.
 struct Fabric {
   std::int64_t contacts{};
   std::array<double, 6>

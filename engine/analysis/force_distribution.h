@@ -7,20 +7,21 @@
 
 namespace furnas {
 
-/// How bins for forces over their mean are laid.
+/// The bins of the histograms of force/mean force.
 struct ForceBins {
   bool logarithmic = false;
   double width = 0.2;   ///< of linear bins [mean force]
   int per_decade = 10;  ///< logarithmic bins in a power of ten
 };
 
-/// How a force is spread over contacts: the density of forces over their mean, the mean over these contacts.
+/// The distribution of a force over contacts: the probability density of force/mean, with the mean over these
+/// contacts.
 struct ForceDistribution {
   std::int64_t contacts{};
-  double mean{};     ///< of the forces [k_n d_s]
-  double largest{};  ///< f of the contact that carries most [k_n d_s]
-  Histogram
-      histogram;  ///< of force/mean; without bins where the mean is 0. Logarithmic bins leave zeros `below`.
+  double mean{};        ///< of the forces [k_n d_s]
+  double largest{};     ///< largest force [k_n d_s]
+  Histogram histogram;  ///< of force/mean; without bins if the mean is 0. Logarithmic bins count forces of 0
+                        ///< as `below`.
 };
 
 /// Of the normal forces.
@@ -33,10 +34,10 @@ ForceDistribution tangential_forces(const Packing& packing, const Selection& con
 struct Mobilisation {
   std::int64_t contacts{};
   std::int64_t sliding{};  ///< those at the Coulomb limit
-  std::int64_t
-      beyond{};   ///< those above it by more than rounding: friction is not what the packing was made with
-  double mean{};  ///< of |F_t|/(mu F_n)
-  Histogram histogram;  ///< of |F_t|/(mu F_n) in [0, 1]
+  std::int64_t beyond{};  ///< those above it by more than rounding: `friction` is not the one the packing was
+                          ///< made with
+  double mean{};          ///< of |F_t|/(mu F_n)
+  Histogram histogram;    ///< of |F_t|/(mu F_n) in [0, 1]
 
   /// Share of the contacts at the Coulomb limit; 0 without contacts.
   double sliding_share() const;
