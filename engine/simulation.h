@@ -13,10 +13,9 @@ namespace furnas {
 
 /// How many pairs a step tests for contact.
 struct NeighbourCounts {
-  std::int64_t builds{};  ///< neighbour lists built so far
-  std::size_t pairs{};    ///< pairs in the neighbour list
-  std::size_t
-      inner_pairs{};  ///< pairs that most steps test: those of the inner list, or all if there is none
+  std::int64_t builds{};      ///< neighbour lists built so far
+  std::size_t pairs{};        ///< pairs in the neighbour list
+  std::size_t inner_pairs{};  ///< pairs that most steps test: the inner list, or all without one
 };
 
 /// A packing in motion: owns the state and the step. Law and precision are chosen by make_simulation() and

@@ -34,16 +34,15 @@ const char* to_string(Balance balance);
 /// The results of all parts of the certificate of a packing.
 struct Certificate {
   std::int64_t particles{};
-  std::int64_t backbone{};  ///< its particles, if every overlap counts as a contact
-  std::int64_t
-      live_backbone{};  ///< by the rule of a run: only contacts above 1 % of the mean F_n of their kind count
-  std::int64_t contacts{};          ///< among the backbone
-  int least_contacts{};             ///< z_min: particles with fewer contacts do not belong to the backbone
-  std::int64_t unlisted{};          ///< overlapping pairs that are missing in the packing's list of contacts
-  std::int64_t open{};              ///< contacts of the list whose spheres do not overlap
-  Balance balance{};                ///< of forces and torques on the backbone
-  double bulk_modulus{};            ///< K; NaN if it could not be computed [k_n/d_s]
-  double shear_modulus{};           ///< G, mean over directions [k_n/d_s]
+  std::int64_t backbone{};       ///< its particles, if every overlap counts as a contact
+  std::int64_t live_backbone{};  ///< the same, counting only contacts above 1 % of the mean F_n of their kind
+  std::int64_t contacts{};       ///< among the backbone
+  int least_contacts{};          ///< z_min: particles with fewer contacts do not belong to the backbone
+  std::int64_t unlisted{};       ///< overlapping pairs that are missing in the packing's list of contacts
+  std::int64_t open{};           ///< contacts of the list whose spheres do not overlap
+  Balance balance{};             ///< of forces and torques on the backbone
+  double bulk_modulus{};         ///< K; NaN if it could not be computed [k_n/d_s]
+  double shear_modulus{};        ///< G, mean over directions [k_n/d_s]
   std::vector<double> eigenvalues;  ///< the lowest [k_n]
   double growth_rate{};             ///< of the fastest growing motion; 0 if none was found [1/time]
   std::vector<Part> parts;

@@ -16,8 +16,9 @@ struct ConstraintCount {
 /// Constraints: a contact without friction fixes one component, the distance: 1. A sticking contact fixes
 /// three components: 3. In a sliding contact F_n determines |F_t| but not its direction: 2 (Shundyak, van
 /// Hecke, van Saarloos, Phys. Rev. E 75, 010301 (2007)). Degrees of freedom: 3 per particle, 6 with friction;
-/// minus 3 for the translations of the whole packing; plus the free strains of the cell. A fixed cell has no
-/// free strain; then +1, because the contacts need one state of self-stress to carry a load.
+/// minus 3 for the translations of the whole packing; with friction minus 1 for the free spin of each bridge
+/// (bonds.h); plus the free strains of the cell. A fixed cell has no free strain; then +1, because the
+/// contacts need one state of self-stress to carry a load.
 ConstraintCount count_constraints(const ContactNetwork& network, const Backbone& backbone,
                                   CellFreedom freedom);
 

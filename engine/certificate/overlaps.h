@@ -15,8 +15,8 @@ struct Overlap {
   Vec3<double> branch;                  ///< centre of j (its image) to centre of i [d_s]
 };
 
-/// All overlaps of a packing, found from positions, radii and cell alone, with every image, each once: the
-/// certificate's own search, which shares no code with the engine's.
+/// All overlaps of a packing, each once and with all images, found from positions, radii and cell alone. This
+/// search of the certificate shares no code with the engine's search.
 std::vector<Overlap> find_overlaps(const Packing& packing);
 
 }  // namespace furnas
