@@ -29,9 +29,8 @@ bool Quench::growing() const {
 }
 
 bool Quench::due(Observation& now) {
-  constexpr double slowly = 100,
-                   of_stress = 10;       // times the limits; the cell quickly relaxes the stress
-  constexpr std::int64_t patience = 50;  // [windows]
+  constexpr double slowly = 100, of_stress = 10;  // times the limits; the cell quickly relaxes the stress
+  constexpr std::int64_t patience = 50;           // [windows]
   if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
     pressure_ = pressure;
     slow_windows_ = 0;

@@ -45,8 +45,7 @@ PhiRecord::Span PhiRecord::since(std::int64_t step) const {
 }
 
 void Settle::record(const Observation& now, const RestReport& r, double phi) {
-  constexpr double carries = 0.1,
-                   has_lost_it = 0.5;  // stress errors, as in RestReport
+  constexpr double carries = 0.1, has_lost_it = 0.5;  // stress errors, as in RestReport
   if (past_.empty()) {
     if (r.backbone == 0 || !(r.stress_error < carries)) return;
     loaded_at_ = now.step();
