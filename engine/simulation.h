@@ -75,8 +75,8 @@ enum class Execution {
   as_graph
 };
 
-/// A simulation of `model` that starts from `packing`. Throws InputError with the ids when particles are
-/// not finite, have no size, or share a centre.
+/// A simulation of `model` that starts from `packing`. Throws InputError with the numbers (index + 1) of
+/// particles that are not finite, have no size, or share a centre.
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads = 1,
                                             Execution execution = Execution::automatic);
 

@@ -15,16 +15,15 @@ struct RelativeMotion {
 /// The input of a law: two particles that overlap at the end of a step.
 template <class R>
 struct Touch {
-  Vec3<R> branch;        ///< centre of j to centre of i [d_s]
-  R distance;            ///< |branch| [d_s]
-  R overlap;             ///< R_i + R_j - distance > 0 [d_s]
-  R radius_i, radius_j;  ///< [d_s]
-  R reduced_mass;        ///< m_i m_j/(m_i + m_j) [rho d_s^3]
-  RelativeMotion<R>
-      midway;             ///< in the middle of the step; these velocities moved the particles to their places
-  RelativeMotion<R> now;  ///< predicted for the end of the step; only if the law is synchronized
-  Vec3<R> drift;          ///< rate of change of the branch over the step, the cell's flow included
-  R time_step;            ///< [time]; 0 when forces are taken without a step
+  Vec3<R> branch;            ///< centre of j to centre of i [d_s]
+  R distance;                ///< |branch| [d_s]
+  R overlap;                 ///< R_i + R_j - distance > 0 [d_s]
+  R radius_i, radius_j;      ///< [d_s]
+  R reduced_mass;            ///< m_i m_j/(m_i + m_j) [rho d_s^3]
+  RelativeMotion<R> midway;  ///< in the middle of the step, as it moved the particles
+  RelativeMotion<R> now;     ///< predicted for the end of the step; only if the law is synchronized
+  Vec3<R> drift;             ///< rate of change of the branch over the step, the cell's flow included
+  R time_step;               ///< [time]; 0 when forces are taken without a step
 };
 
 /// Energy that a contact took out of the motion during the step [k_n d_s^2].

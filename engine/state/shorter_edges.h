@@ -4,7 +4,7 @@
 
 namespace furnas {
 
-/// Whether a tilt of the cell is more than this share of the edge along which it goes.
+/// Whether a tilt of the cell is larger than this share of the edge to which it is parallel.
 bool is_tilted(const Triangle& edges, double farthest);
 
 /// Replaces tilted edges of the cell by the shortest equivalent ones if a tilt exceeds this share of its
