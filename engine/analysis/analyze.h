@@ -55,8 +55,8 @@ struct Analysis {
   bool polydisperse{};                      ///< spheres of one species differ in size
   double phi{};                             ///< packing fraction
   std::optional<MixtureFractions> mixture;  ///< nothing for a polydisperse packing
-  int backbone_threshold{};                 ///< as it was asked for
-  double friction{};                        ///< as it was asked for
+  int backbone_threshold{};                 ///< as in AnalysisOptions
+  double friction{};                        ///< as in AnalysisOptions
   std::optional<NetworkAnalysis> network;   ///< nothing without contacts
   std::vector<PairCorrelation> pairs;       ///< of each kind, then of all
 

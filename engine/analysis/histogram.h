@@ -7,7 +7,7 @@ namespace furnas {
 
 /// How often values fall between edges.
 struct Histogram {
-  std::vector<double> edges;         ///< rising; a bin holds its lower edge, the last one its upper edge too
+  std::vector<double> edges;  ///< rising; a bin includes its lower edge, the last bin also its upper edge
   std::vector<std::int64_t> counts;  ///< in each bin
   std::int64_t below{}, above{};     ///< values outside
 

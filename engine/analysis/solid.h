@@ -21,7 +21,8 @@ struct Solid {
   std::vector<PlacedSphere> spheres;  ///< sorted by their lowest point along z
 };
 
-/// Every sphere once and whole, at its place in the cell, in the box that just holds them all.
+/// Every sphere once and whole, at its place in the cell; the box is the smallest one that contains all
+/// spheres.
 Solid whole_solid(const Packing& packing);
 
 /// The box from 0 to (xx, yy, zz), the diagonal of the cell's edges, with every image of a sphere that comes

@@ -21,8 +21,8 @@ struct NumericalFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws ContractError with file and line of the caller unless `holds`. (std::source_location is unknown to
-/// clang-tidy 14.)
+/// Throws ContractError with file and line of the caller unless `holds`. std::source_location is not used,
+/// because clang-tidy 14 does not support it.
 inline void require(bool holds, const char* what, const char* file = __builtin_FILE(),
                     int line = __builtin_LINE()) {
   if (!holds) throw ContractError(std::string(file) + ":" + std::to_string(line) + ": " + what);

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Below this number of unknowns every eigenvalue is computed at once.
+/// Up to this number of unknowns all eigenvalues are computed, from a dense matrix.
 constexpr Index few = 60;
 
 Stiffness::Motion motion_of(const VectorXd& v, Index particles, const MatrixXd& strains) {

@@ -10,7 +10,7 @@
 
 namespace furnas {
 
-/// An eigenvalue with at most this absolute value cannot be told from 0, because of rounding [k_n].
+/// Because of rounding an eigenvalue with at most this absolute value cannot be distinguished from 0 [k_n].
 inline constexpr double flat_mode = 1e-10;
 
 /// The softest motions of a backbone in its cell.

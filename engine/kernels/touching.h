@@ -94,8 +94,8 @@ class TouchingRows {
     append(found);
   }
 
-  /// Adds those of the rows tested last, beginning with `row`, that are within the inner skin to the inner
-  /// list. Returns their number.
+  /// Adds to the inner list the tested rows whose gap is below the inner skin; `row` is the first of the rows
+  /// tested last. Returns how many were added.
   std::size_t note_inner(std::uint64_t row, InnerPair* inner) const {
     const D wider(1 + loop_.inner_skin.relative);
     const D fixed(loop_.inner_skin.fixed);

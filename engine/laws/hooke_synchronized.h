@@ -13,7 +13,7 @@ template <class R>
   return vector - (dot(vector, to) / (R(1) + dot(from, to))) * (from + to);
 }
 
-/// Turns a vector about `normal` by an angle, to third order in it, without changing its length.
+/// Turns a vector about `normal` by an angle. The length is exact, the angle accurate to its third order.
 template <class R>
 [[gnu::always_inline]] inline Vec3<R> turn(const Vec3<R>& vector, const Vec3<R>& normal, R angle) {
   const R t = R(0.5) * angle;

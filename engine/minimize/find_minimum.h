@@ -14,7 +14,7 @@ struct MinimumCriteria {
 
 /// How a search for a minimum ended.
 struct MinimumReport {
-  bool reached{};  ///< the criteria hold
+  bool reached{};  ///< the criteria are met
   bool stuck{};    ///< no step lowers the enthalpy further, because of rounding or because the packing falls
                    ///< apart
   std::int64_t evaluations{};  ///< number of times that all forces were computed

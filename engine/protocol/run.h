@@ -17,7 +17,7 @@ namespace furnas {
 /// What is needed to resume a stopped run, besides its packing and its protocol.
 struct RunState {
   std::vector<RestingState> reached;          ///< pressures at which the packing came to rest
-  RestWatch::Saved watch;                     ///< the looks of the last windows
+  RestWatch::Saved watch;                     ///< the state of RestWatch
   std::map<std::string, std::string> events;  ///< what each event has saved, by the name of the event
   std::int64_t replaced{};                    ///< how often events had changed the packing
   std::int64_t lists_built{};                 ///< neighbour lists built so far

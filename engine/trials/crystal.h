@@ -27,8 +27,8 @@ Packing with_forces(const Model& model, const Packing& packing);
 /// the time step of `model` are used.
 Eigen::Matrix3d stress_per_strain(Model model, const Packing& crystal, const Triangle& strain);
 
-/// C44 of the face-centred crystal of distance r with sticking contacts, in the limit overlap -> 0: sqrt 2
-/// (k_n + k_t)/(2 r).
+/// C44 = sqrt 2 (k_n + k_t)/(2 r): face-centred crystal of distance r with sticking contacts, in the limit
+/// overlap -> 0.
 double shear_modulus_of_face_centred(double r, double tangential_stiffness = 1);
 
 }  // namespace furnas

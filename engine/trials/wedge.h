@@ -23,7 +23,8 @@ struct WedgedSphere {
   double widest() const;
 };
 
-/// Whether the small sphere stays. `model` has the friction of the wedge and a cell that does not move.
+/// Simulates the approach of the large spheres. Returns whether the small sphere stays in place. `model` has
+/// the friction of the wedge and a cell that does not move.
 bool holds(const WedgedSphere& wedge, const Model& model, double half_angle);
 
 /// The result of the search for the threshold: the largest angle that held and the smallest that did not.

@@ -8,10 +8,10 @@ namespace furnas {
 /// A mark on an axis.
 struct Tick {
   double at;          ///< value; on a logarithmic axis its decimal logarithm
-  std::string label;  ///< empty: a short mark without a number
+  std::string label;  ///< empty: a short mark without a label
 };
 
-/// The stretch of an axis that is drawn, low < high; on a logarithmic axis decimal logarithms.
+/// The part of an axis that is drawn, low < high; on a logarithmic axis in decimal logarithms.
 struct Stretch {
   double low, high;
 };
