@@ -30,7 +30,7 @@ inline double kept_radius(Precision precision, double radius) {
   return precision == Precision::mixed ? static_cast<float>(radius) : radius;
 }
 
-/// What is simulated: everything that stays the same during a run.
+/// The law and the parameters of a simulation. Only bath and time step can change during a run.
 struct Model {
   AnyLaw law;
   Precision precision = Precision::full;

@@ -17,7 +17,8 @@ struct StepWork {
 };
 
 /// The timestep: velocity Verlet for particles and cell, one line of code per phase. The order of the lines
-/// alone determines the order of the phases. The arguments must outlive the graph and stay where they are.
+/// alone determines the order of the phases. The arguments must outlive the graph and must not move in
+/// memory.
 template <class Numerics>
 StepGraph make_step(const Model& model, const std::size_t& particles, State<Numerics>& state, StepWork& work);
 

@@ -75,10 +75,11 @@ struct Chart {
 /// lower end of an axis is not below the upper end.
 Pixels render(const Chart& chart);
 
-/// render, to a PNG file; throws OutputError when the file cannot be written.
+/// Renders to a PNG file; throws OutputError when the file cannot be written.
 void render_png(const Chart& chart, const std::filesystem::path& path);
 
-/// The same picture as lines and text that can be edited; throws OutputError when it cannot be written.
+/// Writes the same picture as an SVG file, whose lines and text can be edited; throws OutputError when the
+/// file cannot be written.
 void render_svg(const Chart& chart, const std::filesystem::path& path);
 
 }  // namespace furnas

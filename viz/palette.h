@@ -15,7 +15,7 @@ inline constexpr Colour large_colour{0.86, 0.86, 0.87};
 inline constexpr Colour small_colour{1.00, 0.78, 0.20};
 /// Edges of the periodic cell.
 inline constexpr Colour cell_colour{0.13, 0.17, 0.24};
-/// Behind everything, unless the picture is transparent.
+/// The background, unless the picture is transparent.
 inline constexpr Colour background_colour{1, 1, 1};
 
 /// Lines and points of charts, by Okabe and Ito ("Color universal design", 2008): they can be distinguished

@@ -60,7 +60,8 @@ struct Analysis {
   std::optional<NetworkAnalysis> network;   ///< nothing without contacts
   std::vector<PairCorrelation> pairs;       ///< of each kind, then of all
 
-  /// Whether it means something to be large or small: not where spheres of many sizes are one species.
+  /// Whether the distinction of large and small has a meaning; it has none if spheres of many sizes are one
+  /// species.
   bool has_species() const { return !polydisperse || (large > 0 && small > 0); }
 };
 

@@ -30,7 +30,7 @@ struct Coordination {
 /// Counts all particles and contacts.
 Coordination coordination(const Packing& packing);
 
-/// Counts the backbone alone: its particles, and its contacts as backbone_contacts() gives them.
+/// Counts only the particles of the backbone, and the contacts of backbone_contacts().
 Coordination coordination(const Packing& packing, const std::vector<bool>& rattler,
                           const Selection& contacts);
 

@@ -17,7 +17,7 @@ struct Fabric {
   /// eigenvalues are equal. 0 without contacts.
   double anisotropy() const;
 
-  /// Root mean square of the anisotropy of as many random directions, 1/sqrt(contacts).
+  /// Root mean square anisotropy of the same number of random directions, 1/sqrt(contacts).
   double anisotropy_by_chance() const;
 };
 

@@ -24,10 +24,10 @@ struct ForceDistribution {
                         ///< as `below`.
 };
 
-/// Of the normal forces.
+/// The distribution of the normal forces.
 ForceDistribution normal_forces(const Packing& packing, const Selection& contacts, const ForceBins& bins);
 
-/// Of the sizes of the tangential forces.
+/// The distribution of the absolute values of the tangential forces.
 ForceDistribution tangential_forces(const Packing& packing, const Selection& contacts, const ForceBins& bins);
 
 /// How far contacts are from sliding.
@@ -43,7 +43,7 @@ struct Mobilisation {
   double sliding_share() const;
 };
 
-/// |F_t|/(friction F_n) of contacts that push, in `bins` bins; friction > 0.
+/// |F_t|/(friction F_n) of the contacts with F_n > 0, in `bins` bins; friction > 0.
 Mobilisation mobilisation(const Packing& packing, const Selection& contacts, double friction, int bins = 20);
 
 }  // namespace furnas

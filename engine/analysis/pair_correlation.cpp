@@ -49,7 +49,7 @@ std::array<Group, 2> groups_of(const Packing& p, double reach, double most_pairs
   return groups;
 }
 
-/// Distances from the origins of one group to all of another, in bins of one width.
+/// Histogram of the distances from the origins of one group to all particles of another.
 Counts count_distances(const Triangle& edges, const Group& from, const Group& to, bool same, double reach,
                        double width, std::size_t bins) {
   // Positions are rounded to 2^-53 of the cell. No particle may be missed because of this rounding.

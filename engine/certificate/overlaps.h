@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// Two spheres that overlap, one of them perhaps as an image.
+/// Two spheres that overlap; the second may be an image.
 struct Overlap {
   std::uint32_t i{}, j{};
   std::array<std::int64_t, 3> cells{};  ///< branch = edges (s_i - s_j - cells), each s in [0, 1]

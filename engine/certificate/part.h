@@ -33,7 +33,7 @@ inline Finding at_least(std::string name, double value, double limit) {
 
 /// What a part that passes proves about the packing.
 enum class Proves {
-  necessary,   ///< a jammed packing must pass; one that passes may still not be jammed
+  necessary,   ///< every jammed packing passes; a packing that passes need not be jammed
   sufficient,  ///< if the forces balance, the packing is stable against all small motions, to first order
 };
 

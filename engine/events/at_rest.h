@@ -44,10 +44,10 @@ struct RestReport {
   double stress_error = unknown;
   double force_imbalance = unknown;
   double kinetic_energy = unknown;  ///< [k_n d_s^2]
-  double strain_drift = unknown;    ///< per drift_time, over one window or ten; infinite until one is full
-  bool resting{};                   ///< all criteria were met at every look of the window
-  bool loosely{};                   ///< resting, but only with the loose limit of the force balance
-  std::string waiting_for;          ///< the criterion that is furthest from its limit; empty when resting
+  double strain_drift = unknown;  ///< per drift_time, over one or ten windows; infinite before a full window
+  bool resting{};                 ///< all criteria were met at every look of the window
+  bool loosely{};                 ///< resting, but only with the loose limit of the force balance
+  std::string waiting_for;        ///< the criterion that is furthest from its limit; empty when resting
 };
 
 /// Largest |P_aa - p_a|/p_a and |P_ab|/p_a among the stress components that can strain the cell.
@@ -85,7 +85,7 @@ class RestWatch {
   /// What a resumed run needs: the looks kept so far, oldest first, and the values at the last look.
   struct Saved {
     std::deque<Look> window;
-    std::int64_t backbone{};  ///< this and the rest as in RestReport
+    std::int64_t backbone{};  ///< this and the following values as in RestReport
     double stress_error = RestReport::unknown;
     double force_imbalance = RestReport::unknown;
     double kinetic_energy = RestReport::unknown;  ///< [k_n d_s^2]

@@ -5,8 +5,8 @@
 namespace furnas {
 
 /// Replaces tilted edges of the cell by the shortest equivalent ones, once a tilt exceeds 0.55 of its edge.
-/// The lattice, and so every contact, force and history, stays the same: only the names of images change,
-/// exactly, in integers. Returns whether anything changed.
+/// The lattice, and so every contact, force and history, stays the same: only the numbers of the images
+/// change, which are integers and therefore exact. Returns whether anything changed.
 bool flip_cell(Packing& packing);
 
 /// Checks the tilt of the cell at fixed intervals and flips the cell if needed.

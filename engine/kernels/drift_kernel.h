@@ -70,7 +70,7 @@ struct Moving {
   /// Half a kick.
   HWY_INLINE void kick(const Load<Real, S::spins>* loads, std::size_t count, const R& half_step) {
     if constexpr (free) {
-      velocity += Vec3<R>{};  // as a load of zeros does: -0 becomes 0
+      velocity += Vec3<R>{};  // like a kick with a zero load: -0 becomes 0
       return;
     }
     const auto f = take(loads, count, [](const auto& load) { return &load.force.x; });

@@ -44,7 +44,7 @@ template <class R>
   return c.attraction ? force : larger(force, R(0));
 }
 
-/// Energy taken out by the damping part of the normal force in a step, with v_n as in normal_force().
+/// Energy dissipated by the damping part of the normal force in a step, with v_n as in normal_force().
 template <class R>
 [[gnu::always_inline]] inline R normal_loss(const R& force, const R& spring, const R& normal_velocity,
                                             const R& time_step) {

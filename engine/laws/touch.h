@@ -23,10 +23,10 @@ struct Touch {
   RelativeMotion<R> midway;  ///< in the middle of the step, as it moved the particles
   RelativeMotion<R> now;     ///< predicted for the end of the step; only if the law is synchronized
   Vec3<R> drift;             ///< rate of change of the branch over the step, the cell's flow included
-  R time_step;               ///< [time]; 0 when forces are taken without a step
+  R time_step;               ///< [time]; 0 when forces are computed without a step
 };
 
-/// Energy that a contact took out of the motion during the step [k_n d_s^2].
+/// Energy that a contact dissipates during the step [k_n d_s^2].
 template <class R>
 struct ContactLosses {
   R normal_damping{};

@@ -36,7 +36,7 @@ bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, 
         const double reach = radii + skin(radii);
         return moved <= furthest && (1 - shrunk) * (reach - moved) >= radii;
       };
-      // The condition is linear in the radii, so the ends of their range decide.
+      // The condition is linear in the radii, so it is enough to check the ends of their range.
       if (!holds(classes[a].smallest_radius + classes[b].smallest_radius) ||
           !holds(classes[a].largest_radius + classes[b].largest_radius))
         return false;

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// How a gas of spheres is drawn.
+/// Options for a random gas of spheres.
 struct GasOptions {
   double start_fraction = 0.05;  ///< packing fraction of the gas
   std::uint64_t seed = 1;

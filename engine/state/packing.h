@@ -15,7 +15,7 @@
 
 namespace furnas {
 
-/// Which of the two sizes a particle has. In a monodisperse packing all are `large`.
+/// The species of a particle. In a packing with only one species all particles are `large`.
 enum class Species : std::uint8_t { large = 0, small = 1 };
 
 /// Largest number of particles of a packing: the neighbour search numbers its bins, up to two per particle,

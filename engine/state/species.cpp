@@ -35,7 +35,7 @@ std::size_t count_of(std::vector<double> radius) {
   return count;
 }
 
-/// The two types of a packing that has two.
+/// The two types of a packing with exactly two types.
 struct TwoTypes {
   std::array<std::int32_t, 2> type{};  ///< the lower type first
   std::array<double, 2> sum{};         ///< of the radii of each

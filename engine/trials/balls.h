@@ -45,7 +45,7 @@ Model model_of(const HookeConstants& constants, double time_step = paper_step) {
 /// The packing after `steps` steps.
 Packing after(const Model& model, const Packing& start, std::int64_t steps);
 
-/// The inertia of the packing itself, W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
+/// The inertia W of the cell for beta = 1: W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
 double inertia_of_cell(const Packing& packing);
 
 /// Kinetic energy of translation and rotation [k_n d_s^2].

@@ -23,8 +23,8 @@ struct WedgedSphere {
   double widest() const;
 };
 
-/// Simulates the approach of the large spheres. Returns whether the small sphere stays in place. `model` has
-/// the friction of the wedge and a cell that does not move.
+/// Simulates the approach of the large spheres. Returns whether the small sphere stays in place. `model` must
+/// have the friction of the wedge and a fixed cell.
 bool holds(const WedgedSphere& wedge, const Model& model, double half_angle);
 
 /// The result of the search for the threshold: the largest angle that held and the smallest that did not.

@@ -36,7 +36,7 @@ class Extent {
     require(!axis_.low || !axis_.high || s.low < s.high, "the ends of an axis are in order");
     const double room = headroom * std::max(0.0, s.high - s.low);
     if (!axis_.high) s.high += room;
-    // A linear axis that begins at 0 stays there.
+    // The lower end of a linear axis gets no free space, so that an axis that begins at 0 still does.
     if (!axis_.low && axis_.logarithmic) s.low -= room;
     if (!(s.high - s.low > 1e-12 * std::max(std::abs(s.low), std::abs(s.high)))) {
       const double half = axis_.logarithmic || s.low == 0 ? 0.5 : 0.1 * std::abs(s.low);
