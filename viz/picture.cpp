@@ -28,8 +28,8 @@
 namespace furnas {
 namespace {
 
-/// Four renderings are averaged. Each is shifted by a part of a pixel, which smooths the edges, and has
-/// another reach of the ambient occlusion.
+/// Four renderings are averaged. Each is shifted by a fraction of a pixel, which smooths the edges. Each also
+/// has a different reach of the ambient occlusion.
 constexpr std::array<std::array<double, 2>, 4> shifts{
     {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 

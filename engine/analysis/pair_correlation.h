@@ -10,9 +10,8 @@ namespace furnas {
 
 /// Range and resolution of g(r).
 struct PairCorrelationOptions {
-  double reach =
-      0;  ///< largest distance [d_s]; 0: half the thickness of the cell, but 2.5 to 5 large diameters
-  double bin = 0.02;        ///< bin width for the smallest d_ab; for a larger one a multiple of it [d_s]
+  double reach = 0;   ///< largest distance [d_s]; 0: half the cell's thickness, but 2.5 to 5 large diameters
+  double bin = 0.02;  ///< bin width for the smallest d_ab; for a larger one a multiple of it [d_s]
   double most_pairs = 2e8;  ///< with more pairs, distances are measured from every n-th particle only
 };
 

@@ -8,7 +8,7 @@
 namespace furnas {
 
 /// Choices without a branch, for single numbers and for lanes of numbers (engine/kernels/lanes.h), so that
-/// one source of a law serves both.
+/// each law is written only once.
 template <std::floating_point R>
 constexpr R select(bool first, const R& a, const R& b) {
   return first ? a : b;

@@ -42,8 +42,8 @@ class Team {
   void help(int member);
 
   /// Calls call(body, piece) for each piece on this thread, which is `member`, and on all free threads.
-  /// Throws what a piece has thrown. Does nothing and returns false if the pieces cannot be shared, because
-  /// the team has only one member or works on another loop.
+  /// Rethrows the first exception of a piece. Does nothing and returns false if the pieces cannot be shared,
+  /// because the team has only one member or works on another loop.
   bool run(int member, std::size_t pieces, void (*call)(void*, std::size_t), void* body);
 
   /// Leaves a job to the first free thread.

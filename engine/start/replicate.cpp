@@ -36,7 +36,7 @@ std::int32_t cells_to_nearest(std::uint64_t i, std::uint64_t j) {
 
 std::int32_t floored_quotient(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// One edge of the packing and of its replicate.
+/// One edge of the packing and of its replica.
 struct Edge {
   std::uint64_t Fraction::*component;
   std::size_t axis;

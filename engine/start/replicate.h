@@ -46,7 +46,7 @@ class Computed {
 /// volume.
 class Replica {
  public:
-  /// Throws InputError for times below 1 and for more particles than 32 bits can count.
+  /// Throws InputError if one of `times` is below 1, or for more than most_particles particles.
   Replica(const Packing& from, const Times& times);
   Replica(const Replica&) = delete;
   Replica& operator=(const Replica&) = delete;

@@ -20,7 +20,7 @@ struct Stretch {
 /// `length`.
 double tick_distance(double length, int most);
 
-/// The stretch widened until it ends on marks of a linear axis.
+/// The stretch, widened so that it begins and ends at marks of a linear axis.
 Stretch widened_to_ticks(const Stretch& stretch, int most);
 
 /// Marks at round numbers, all with a label.
