@@ -24,7 +24,7 @@ class PhiRecord {
   void clear() { spans_.clear(); }
   bool empty() const { return spans_.empty(); }
 
-  /// All looks after a step, joined; includes the whole span that the step lies in.
+  /// The looks after a step, joined into one span. It includes all of the span in which the step lies.
   Span since(std::int64_t step) const;
 
   const std::vector<Span>& spans() const { return spans_; }
