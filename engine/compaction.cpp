@@ -61,7 +61,7 @@ void Observation::replace(const Packing& packing) {
   try {
     simulation_.load(packing);
   } catch (const InputError& error) {
-    throw NumericalFailure(error.what());  // nobody put it in: the run came to it
+    throw NumericalFailure(error.what());  // no input error: the run itself led to this packing
   }
 }
 

@@ -13,35 +13,36 @@
 
 namespace furnas {
 
-/// How a run ended. Only `jammed` gives a phi_J; `settled` gives phi with a bound on what it may still
-/// change.
+/// How a run ended. Only `jammed` gives a phi_J; `settled` gives phi with a bound on its further change.
 enum class Verdict { jammed, settled, budget, diverged, interrupted };
 
-/// The verdict as it stands in files: "jammed", "settled", "budget", "diverged", "interrupted".
+/// The verdict as it is written to files: "jammed", "settled", "budget", "diverged", "interrupted".
 const char* to_string(Verdict verdict);
 
-/// What events look at between steps: the packing and its measures, taken once a step and only when asked.
+/// What events read between steps: the packing and its measures. Each is computed on request, at most once a
+/// step.
 class Observation {
  public:
-  /// `replaced` counts what an earlier part of the run has replaced.
+  /// `replaced`: what replaced() returned at the end of an earlier part of the run.
   Observation(Simulation& simulation, int backbone_threshold, std::int64_t replaced = 0)
       : simulation_(simulation), backbone_threshold_(backbone_threshold), replaced_(replaced) {}
 
   Simulation& simulation() { return simulation_; }
   std::int64_t step() const { return simulation_.step(); }
-  const Packing& packing();    ///< as it is between the steps
+  const Packing& packing();    ///< as it is between two steps
   const Measures& measures();  ///< of that packing
-  /// The packing, given away: whoever changes it needs no second one. Asked again, it is taken anew.
+  /// Moves the packing to the caller, who may change it without making a copy. A later request takes the
+  /// packing from the simulation again.
   Packing take_packing();
 
-  /// Puts a changed packing in the place of the running one. Throws NumericalFailure if it is none any more.
+  /// Continues the run with a changed packing. Throws NumericalFailure if the changed packing is not valid.
   void replace(const Packing& packing);
   /// Takes out all motion of the particles and of the cell.
   void stop_all_motion();
-  /// How often an event has changed the packing so since the run began.
+  /// How often events have called replace() or stop_all_motion() since the run began.
   std::int64_t replaced() const { return replaced_; }
 
-  /// The verdict of an event that has seen what must not be, with a sentence that says what.
+  /// The verdict of an event that has found a fault; `sentence` describes the fault.
   Verdict diverged(std::string sentence) {
     fault_ = std::move(sentence);
     return Verdict::diverged;
@@ -61,46 +62,48 @@ class Observation {
   std::optional<Measures> measures_;
 };
 
-/// Something that can happen between two steps of a run. Events act serially and may touch anything.
+/// Something that can happen between two steps of a run. Events act one after the other and may change any
+/// part of the simulation.
 class Event {
  public:
   virtual ~Event() = default;
   virtual const char* name()
-      const = 0;  ///< in progress lines, and the key of saved() in checkpoints: a change breaks them
+      const = 0;  ///< in progress lines; also the key of saved() in checkpoints, so keep it
 
-  /// The first step after `step` at which it may be due.
+  /// The first step after `step` at which the event may be due.
   virtual std::int64_t next(std::int64_t step) const = 0;
 
-  /// Whether it happens now; asked at the steps that `next` named.
+  /// Whether the event happens now; called at the steps that next() returned.
   virtual bool due(Observation&) { return true; }
 
-  /// Whether it is asked, too, as soon as the run is called to attention, at whatever step that is. Only for
-  /// what leaves the state alone: a run must not depend on when somebody called.
+  /// Whether due() is also called at the first step after `attention` of compact() was set. Only for events
+  /// that do not change the state: no result may depend on when `attention` was set.
   virtual bool heeds_attention() const { return false; }
 
-  /// Lets it happen; an answer ends the run.
+  /// Carries out the event. A returned verdict ends the run.
   virtual std::optional<Verdict> fire(Observation& now) = 0;
 
-  /// What it must know again when the run is stopped now and goes on in another process; what it has written
-  /// so far is then on the disk.
+  /// What the event needs to know when the run stops now and continues in another process. After the call
+  /// everything that the event has written is on the disk.
   virtual std::string saved() { return {}; }
 
-  /// Takes up what saved() gave, once and before all else. Empty at the beginning of a run. Throws
-  /// InputError if it cannot go on from there.
+  /// Restores what saved() returned; called once, before all other members. The text is empty at the
+  /// beginning of a run. Throws InputError if the event cannot continue from the text.
   virtual void restore(const std::string&) {}
 };
 
-/// A count as std::to_string() wrote it; 0 for the empty text of a beginning. Throws InputError.
+/// The count in a text written by std::to_string(); 0 for the empty text at the beginning of a run. Throws
+/// InputError if the text is no count.
 std::int64_t saved_count(const std::string& saved);
 
 /// The first multiple of `period` after `step`.
 std::int64_t next_multiple(std::int64_t step, std::int64_t period);
 
-/// The events of a run, in the order in which those of one step happen.
+/// The events of a run. Events that are due at the same step happen in this order.
 using Events = std::vector<std::unique_ptr<Event>>;
 
-/// Runs from event to event until one of them ends it. Setting `attention` makes the run ask the events that
-/// heed it after the current step; the run clears it.
+/// Alternates between steps and events until an event ends the run. When `attention` is set, the run calls
+/// due() of all events with heeds_attention() after the current step, and then clears `attention`.
 Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention = nullptr);
 
 }  // namespace furnas

@@ -81,7 +81,7 @@ class SimulationOf final : public Simulation {
   const StepGraph& graph() const override { return step_; }
 
  private:
-  /// The time of an earlier step, from which steps of one length go on.
+  /// The time at an earlier step; all later steps have the same length.
   struct Clock {
     std::int64_t step{};
     double time{};  ///< [time]
@@ -101,7 +101,7 @@ class SimulationOf final : public Simulation {
   Workers workers_;
   bool as_graph_;
   std::size_t count_{};
-  Labels labels_;  ///< of the packing that was loaded, for the one that is given out
+  Labels labels_;  ///< of the loaded packing, copied into the packing that packing() returns
   Clock clock_;
   State<Numerics> state_;
   StepWork work_;
@@ -147,7 +147,7 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
     load.force = narrow(p.force[k]);
     if constexpr (spins) {
       particle.spin = narrow(p.spin[k]);
-      // Of the radius as it is kept: a run that goes on knows no other.
+      // Uses the rounded radius, because a resumed run knows no other.
       particle.inverse_inertia = Real(1 / sphere_inertia(p.mass[k], particle.radius));
       load.torque = narrow(p.torque[k]);
     }
@@ -200,7 +200,8 @@ void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
     std::uint32_t j = place[c.j];
     auto image = c.image;
     double sign = 1;
-    // Of the two images on which a particle meets itself the list has the one that is below zero.
+    // A particle that touches its own image does so on two opposite sides. The list holds only the image
+    // below zero.
     if (i < j || (i == j && decltype(image){} < image)) {
       image = image_seen_from_j(image, p.fraction[c.i], p.fraction[c.j]);
       std::swap(i, j);
@@ -249,9 +250,9 @@ std::vector<Contact> SimulationOf<Numerics>::contacts() const {
   std::vector<Contact> contacts;
   const auto& touching = state_.contact_state.touching;
   const auto touch = static_cast<std::size_t>(std::count(touching.begin(), touching.end(), 1));
-  // Rounding may see a few more here than the step did; without room for them the list would be copied. One
-  // that overlaps by more has been missed by the step; it is left out, so that who audits the contacts misses
-  // it too.
+  // Because of rounding, a few more pairs may overlap here than in the step; the vector reserves room for
+  // them to avoid a copy. A pair that overlaps by more than rounding but is not marked as touching was missed
+  // by the step. Such a pair is left out, so that the audit of the contacts reports it as missing.
   constexpr double rounding = 1e-9;  // [d_s]
   contacts.reserve(touch + touch / 256 + 16);
   for (std::uint32_t i = 0; i < count_; ++i) {

@@ -11,58 +11,57 @@
 
 namespace furnas {
 
-/// How many pairs a step looks at.
+/// How many pairs a step tests for contact.
 struct NeighbourCounts {
   std::int64_t builds{};      ///< neighbour lists built so far
   std::size_t pairs{};        ///< pairs in the neighbour list
-  std::size_t inner_pairs{};  ///< pairs that most steps look at: those of the inner list, or all without one
+  std::size_t inner_pairs{};  ///< pairs that most steps test: the inner list, or all without one
 };
 
-/// A packing in motion: owns the state and the step. Law and precision are chosen when it is made and hidden
-/// behind this class.
+/// A packing in motion: owns the state and the step. Law and precision are chosen by make_simulation() and
+/// hidden behind this class.
 ///
-/// Only one thread at a time may call a simulation, and calls no member while advance() runs; advance() uses
-/// threads of its own. Several simulations may run side by side. Costs are in passes over particles and
-/// contacts; a step is about two.
+/// Only one thread at a time may call members of a simulation, and none may be called while advance() runs.
+/// advance() uses threads of its own. Several simulations may run side by side. Costs below are given in
+/// passes over all particles and contacts; a step costs about two passes.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Takes up to `steps` timesteps; fewer if `stop` becomes true, which is looked at after each; any thread
-  /// may set it. Throws NumericalFailure if the cell collapses.
+  /// Takes up to `steps` timesteps; fewer if `stop` becomes true. `stop` is read after each step, and any
+  /// thread may set it. Throws NumericalFailure if the cell collapses.
   virtual void advance(std::int64_t steps, const std::atomic<bool>* stop = nullptr) = 0;
 
-  /// The packing as it is now, with its contacts: a copy, made in one pass, of some 300 bytes a particle and
-  /// 160 a contact.
+  /// The packing as it is now, with its contacts: a copy, made in one pass. It takes about 300 bytes per
+  /// particle and 160 per contact.
   virtual Packing packing() const = 0;
 
-  /// Puts another packing in the place of this one. A packing with an `order` continues where it was, with
-  /// its forces and histories; a packing without is a start: its forces are taken from the positions, without
-  /// history. Sorts the particles if they have no order, and builds a neighbour list: as long as some ten
-  /// steps. Throws InputError for a packing that is none.
+  /// Replaces the packing by another one. A packing with an `order` continues with its forces and histories.
+  /// A packing without an order is a start: its particles are sorted, and its forces are computed from the
+  /// positions, without history. In both cases a neighbour list is built, which takes as long as about ten
+  /// steps. Throws InputError for a packing that is not valid.
   virtual void load(const Packing& packing) = 0;
 
-  /// Puts other velocities [d_s/time] and spins [1/time], in order of id, and another strain rate of the cell
-  /// [1/time] in the place of the present ones. Positions, forces, histories, stress and neighbour list stay.
-  /// The ledger books as quenched the kinetic energy that this takes out of the particles. Costs a pass over
-  /// the particles.
+  /// Sets the velocities [d_s/time] and spins [1/time] of all particles, in order of id, and the strain rate
+  /// of the cell [1/time]. Positions, forces, histories, stress and neighbour list stay. The ledger books the
+  /// kinetic energy that the particles lose as quenched. Costs one pass over the particles.
   virtual void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
                           const Triangle& rate) = 0;
 
-  /// Steps are as long as this from now on [time]; the time of the packing goes on from where it is.
+  /// Sets the length of the following steps [time]; the time of the packing continues from its present value.
   virtual void set_time_step(double time_step) = 0;
 
-  /// Turns to another bath; the deformations that the cell may make stay what they are.
+  /// Sets another bath; which deformations the cell may make does not change.
   virtual void set_bath(const Barostat& bath) = 0;
 
   virtual std::int64_t step() const = 0;   ///< steps since the start
   virtual const Cell& cell() const = 0;    ///< as it is now
   virtual const Model& model() const = 0;  ///< with the present bath and time step
 
-  /// Threads that it runs on.
+  /// Number of threads that advance() uses.
   virtual int threads() const = 0;
 
-  /// How many pairs a step looks at now.
+  /// How many pairs a step tests now.
   virtual NeighbourCounts neighbours() const = 0;
 
   /// The step as a graph.
@@ -76,12 +75,12 @@ enum class Execution {
   as_graph
 };
 
-/// A simulation of `model` that starts from `packing`. Throws InputError with the ids when particles are
-/// not finite, have no size, or share a centre.
+/// A simulation of `model` that starts from `packing`. Throws InputError with the numbers (index + 1) of
+/// particles that are not finite, have no size, or share a centre.
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads = 1,
                                             Execution execution = Execution::automatic);
 
-/// Threads that pay for a packing of this size.
+/// Number of threads that is worthwhile for a packing of this size.
 int threads_for(std::size_t particles);
 
 }  // namespace furnas

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// What the phases hand to each other within a step.
+/// What the phases pass to each other within a step.
 struct StepWork {
   StepDisplacement step_displacement;
   ListDisplacement displacement;
@@ -16,8 +16,9 @@ struct StepWork {
   ContactWork work;
 };
 
-/// The timestep: velocity Verlet for particles and cell, one line a phase. Nothing else decides the order.
-/// The arguments must outlive the graph and stay where they are.
+/// The timestep: velocity Verlet for particles and cell, one line of code per phase. The order of the lines
+/// alone determines the order of the phases. The arguments must outlive the graph and must not move in
+/// memory.
 template <class Numerics>
 StepGraph make_step(const Model& model, const std::size_t& particles, State<Numerics>& state, StepWork& work);
 

@@ -17,8 +17,9 @@
 namespace furnas {
 namespace {
 
-/// VTK's pass with exact positions. Its own are half floats, coarser than a small sphere of a large
-/// packing, and averages over many pixels away from the surface, so that a large sphere shades itself.
+/// VTK's pass with positions in single precision. VTK stores positions as half floats, whose rounding is
+/// larger than a small sphere of a large packing. VTK also takes positions from a texture of averages over
+/// many pixels, which lie off the surface, so that a large sphere shades itself.
 class AmbientOcclusion : public vtkSSAOPass {
  public:
   static AmbientOcclusion* New();
@@ -42,13 +43,14 @@ class AmbientOcclusion : public vtkSSAOPass {
 };
 vtkStandardNewMacro(AmbientOcclusion);
 
-/// Puts the background infinitely far behind; VTK leaves it in the eye, where it would shade everything.
+/// Sets the position of the background far behind the scene. VTK leaves it at the position of the eye, where
+/// it would shade everything.
 class FarBackground : public vtkRenderPass {
  public:
   static FarBackground* New();
 
   void Render(const vtkRenderState*) override {
-    constexpr GLint positions = 1;  // the attachment that vtkSSAOPass reads them from
+    constexpr GLint positions = 1;  // the attachment from which vtkSSAOPass reads positions
     constexpr GLfloat far[] = {0, 0, -1e30F, 1};
     glClearBufferfv(GL_COLOR, positions, far);
   }

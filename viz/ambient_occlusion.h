@@ -7,8 +7,9 @@ class vtkSSAOPass;
 
 namespace furnas {
 
-/// Makes a renderer of opaque bodies darken what lies deep between them, by how much of the space above
-/// a surface others fill. The reach is the radius of the pass that is returned [d_s].
+/// Adds ambient occlusion to a renderer of opaque bodies: each point of a surface is darkened according to
+/// the share of the space above it that other bodies fill. The radius of this space is the radius of the
+/// returned pass [d_s].
 vtkSmartPointer<vtkSSAOPass> add_ambient_occlusion(vtkRenderer& renderer);
 
 }  // namespace furnas

@@ -16,7 +16,7 @@ struct Look {
   LineStyle line;
 };
 
-/// All charts draw a kind alike.
+/// Colour, marker and line of a kind, the same in all charts.
 const Look& look_of(const std::optional<PairKind>& kind) {
   static const std::array<Look, 3> looks{{{blue, Marker::square, LineStyle::solid},
                                           {green, Marker::diamond, LineStyle::dashed},
@@ -24,8 +24,8 @@ const Look& look_of(const std::optional<PairKind>& kind) {
   return looks[static_cast<std::size_t>(kind.value_or(PairKind::large_large))];
 }
 
-/// The entries of single kinds, which the entry of all kinds would hide; that of all where there are no
-/// kinds.
+/// The entries of the single kinds. The entry of all kinds together is left out, because it would hide them;
+/// it is used only if there are no kinds.
 template <class List>
 std::vector<const typename List::value_type*> kinds_of(const List& all) {
   std::vector<const typename List::value_type*> kinds;
@@ -34,13 +34,13 @@ std::vector<const typename List::value_type*> kinds_of(const List& all) {
   return kinds;
 }
 
-/// A packing of one size has one kind, which needs no name.
+/// The name in the legend; empty for a packing of one size, which has only one kind.
 template <class List>
 std::string legend_of(const List& all, const std::optional<PairKind>& kind) {
   return kinds_of(all).size() > 1 ? std::string(name_of(kind)) : "";
 }
 
-/// Densities at the middles of the bins, with the error of the counts; empty bins are left out.
+/// Densities at the middles of the bins, with the statistical error of the counts; empty bins are left out.
 Series points_of(std::string name, const Histogram& h, const Look& look, bool logarithmic) {
   Series s{std::move(name), {}, {}, {}, look.colour, LineStyle::none, look.marker};
   for (std::size_t b = 0; b < h.bins(); ++b) {
@@ -54,7 +54,7 @@ Series points_of(std::string name, const Histogram& h, const Look& look, bool lo
   return s;
 }
 
-/// Bins that grow with the force are logarithmic ones.
+/// Whether the bins are logarithmic: then their first edge is above 0.
 bool grows(const Histogram& h) { return h.bins() > 1 && h.edges.front() > 0; }
 
 Chart forces_chart(const NetworkAnalysis& network, ForceDistribution ContactAnalysis::*force,
@@ -122,7 +122,8 @@ Chart rattlers_chart(const Analysis& a) {
 
 Chart pair_correlation_chart(const std::vector<PairCorrelation>& pairs) {
   constexpr double nearest = 0.8, widest = 5;  // contact distances
-  // The peak at contact is as high as the bins are narrow, and would flatten all else.
+  // The height of the peak at contact grows as the bins get narrower. A y axis up to this height would
+  // flatten the rest of the curve.
   constexpr double highest = 4;
   const bool one_size = pairs.size() == 1;
   Chart chart;

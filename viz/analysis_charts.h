@@ -14,7 +14,7 @@ struct NamedChart {
   Chart chart;
 };
 
-/// The distributions of an analysis that has them: forces, mobilisation, rattlers, g(r).
+/// Charts of the distributions that an analysis contains: forces, mobilisation, rattlers, g(r).
 std::vector<NamedChart> analysis_charts(const Analysis& analysis);
 
 }  // namespace furnas

@@ -28,10 +28,11 @@ Coloured by_species(const Packing& packing) {
   return result;
 }
 
-/// Of spheres of many sizes: from the smallest to the largest, by their ratio where they span much.
+/// Colours spheres of many sizes by diameter, from the smallest to the largest; on a logarithmic scale if
+/// their ratio is above `wide`.
 Coloured by_size(const Packing& packing) {
   const Sizes sizes = sizes_of(packing.radius);
-  constexpr double wide = 5;  // ratio from which equal steps of the diameter leave most spheres at one end
+  constexpr double wide = 5;  // with a larger ratio a linear scale leaves most spheres at one end
   const bool logarithmic = sizes.largest > wide * sizes.smallest;
   Coloured result{
       {},
@@ -57,7 +58,8 @@ Coloured graded_by(const std::vector<double>& values, double most, const std::st
 Coloured by_coordination(const Packing& packing) {
   std::vector<double> contacts(packing.size());
   for (const Contact& c : packing.contacts) ++contacts[c.i], ++contacts[c.j];
-  // A few large spheres may have thousands: they must not leave all others at one end.
+  // The scale ends at 12 contacts. A few large spheres may have thousands, and with a longer scale all others
+  // would have the same colour.
   constexpr double most = 12;
   return graded_by(contacts, most, "contacts of a sphere");
 }
@@ -86,7 +88,8 @@ Coloured by_rattlers(const Packing& packing, int threshold) {
   return result;
 }
 
-/// The trace of a sphere's own stress: sum of normal force times radius over three times its volume.
+/// Colours by pressure: sum of normal force times radius, divided by three times the volume of the sphere,
+/// relative to the same quantity of all spheres together.
 Coloured by_pressure(const Packing& packing) {
   std::vector<double> pressure(packing.size());
   double virial = 0, volume = 0;
@@ -112,7 +115,7 @@ Coloured by_pressure(const Packing& packing) {
 }  // namespace
 
 Rgb graded(double value) {
-  // The map "viridis" of Smith and van der Walt (2015, public domain), every eighth of it.
+  // The colour map "viridis" of Smith and van der Walt (2015, public domain), at every eighth of its range.
   constexpr std::array<Rgb, 9> stops{{{68, 1, 84},
                                       {71, 44, 122},
                                       {59, 81, 139},

@@ -9,12 +9,12 @@
 
 namespace furnas {
 
-/// What the colour of a particle says.
+/// The quantity that the colour of a particle shows.
 enum class Colouring {
   species,       ///< large grey, small gold; where a species has several sizes, the diameter
-  coordination,  ///< how many contacts it has
-  rattlers,      ///< whether it is one
-  pressure       ///< what its contacts press on it, against the mean
+  coordination,  ///< number of contacts of the particle
+  rattlers,      ///< whether the particle is a rattler
+  pressure       ///< pressure of its contacts, relative to the mean
 };
 
 /// Values from low to high, graded from dark blue to yellow.
@@ -23,7 +23,7 @@ struct ColourScale {
   bool logarithmic = false;
 };
 
-/// What the colours of a picture mean, to be drawn beside it: a scale, or a word for each colour.
+/// The legend of the colours of a picture: a scale, or a word for each colour.
 struct ColourKey {
   struct Word {
     Rgb colour{};
@@ -34,17 +34,18 @@ struct ColourKey {
   std::vector<Word> words{};
 };
 
-/// A colour for each particle, and what the colours mean.
+/// A colour for each particle, and the meaning of the colours.
 struct Coloured {
   std::vector<Rgb> particles;
-  std::string key;   ///< for the reader of the picture, in a sentence
-  ColourKey legend;  ///< the same, to be drawn
+  std::string key;   ///< the meaning of the colours in a sentence
+  ColourKey legend;  ///< the same as a drawing
 };
 
 /// Colours the particles; those with fewer live contacts than `backbone_threshold` are rattlers.
 Coloured coloured(const Packing& packing, Colouring colouring, int backbone_threshold);
 
-/// From dark blue at 0 over green to yellow at 1, told apart in grey, too; values beyond are as at the ends.
+/// The colour of a value: dark blue at 0, over green, to yellow at 1. The brightness rises with the value, so
+/// that colours can be distinguished in grey. Values below 0 and above 1 have the colours of the ends.
 Rgb graded(double value);
 
 }  // namespace furnas

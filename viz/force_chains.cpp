@@ -22,7 +22,7 @@
 namespace furnas {
 namespace {
 
-/// Lines with a thickness and a colour at each end.
+/// Lines, with a thickness and a colour at each end.
 struct Lines {
   vtkNew<vtkPoints> ends;
   vtkNew<vtkCellArray> cells;
@@ -60,7 +60,7 @@ double strong_force(const Packing& packing) {
 
 vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest) {
   constexpr double decades = 2;
-  constexpr double thickest = 0.2;  // radius of the strongest tube over that of the smaller sphere
+  constexpr double thickest = 0.2;  // radius of the strongest tube/radius of the smaller sphere
   Lines lines;
   for (const Contact& c : packing.contacts) {
     const double grade = 1 + std::log10(normal_force(c) / strongest) / decades;
@@ -69,7 +69,8 @@ vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest)
     const double radius = thickest * smaller * std::min(grade, 1.0);
     const Rgb colour = graded(grade);
     const Vec3<double> i = packing.position(c.i), j = packing.position(c.j);
-    // The halves meet at the contact; one more across a face than the picture needs does no harm.
+    // Each contact is drawn as two halves that meet at the contact point. Across a face of the cell each half
+    // is at its own particle.
     const double at_i = packing.radius[c.i] / (packing.radius[c.i] + packing.radius[c.j]);
     lines.add(i, i - at_i * c.branch, radius, colour);
     lines.add(j, j + (1 - at_i) * c.branch, radius, colour);

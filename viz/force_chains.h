@@ -8,10 +8,10 @@ class vtkActor;
 
 namespace furnas {
 
-/// The contacts as tubes from centre to centre, the thicker and brighter (graded, viz/colouring.h) the larger
-/// their normal force. The scale is logarithmic, because forces grow with the square of the size: from a
-/// hundredth of `strongest`, below which nothing is drawn, to `strongest` and more [k_n d_s]. A contact
-/// across a face of the cell shows its two halves, each at its own particle.
+/// The contacts as tubes from centre to centre. Thickness and brightness (graded(), viz/colouring.h) grow
+/// with the normal force. The scale is logarithmic, because forces grow with the square of the sphere size.
+/// It extends from a hundredth of `strongest`, below which nothing is drawn, to `strongest` and above [k_n
+/// d_s]. Of a contact across a face of the cell two halves are drawn, each at its own particle.
 vtkSmartPointer<vtkActor> force_chains(const Packing& packing, double strongest);
 
 /// The normal force that only one contact in a hundred exceeds [k_n d_s]; 0 without contacts.

@@ -1,6 +1,6 @@
 #include "viz/offscreen.h"
 
-// Before VTK's headers, which hide EGL's calling conventions.
+// EGL is included before VTK's headers, which hide EGL's calling conventions.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -23,7 +23,7 @@ namespace {
   throw InputError("cannot draw: " + reason + " (needs EGL and OpenGL of Mesa: libegl1, libgl1-mesa-dri)");
 }
 
-/// Keeps the first error instead of printing.
+/// Keeps VTK's first error instead of printing it.
 class Listener : public vtkOutputWindow {
  public:
   static Listener* New();
@@ -31,7 +31,8 @@ class Listener : public vtkOutputWindow {
   void DisplayText(const char* text) override {
     if (!heard.empty() || GetCurrentMessageType() != MESSAGE_TYPE_ERROR) return;
     const std::string_view message = text;
-    // GLEW looks for an X server, complains that there is none, and works; VTK says so at every rendering.
+    // GLEW reports that there is no X server, but works without one. VTK repeats this message at every
+    // rendering, so it is ignored.
     if (message.find("GLEW could not be initialized") != std::string_view::npos) return;
     heard = message.substr(0, message.find_last_not_of(" \n") + 1);
   }
@@ -40,7 +41,7 @@ class Listener : public vtkOutputWindow {
 };
 vtkStandardNewMacro(Listener);
 
-/// VTK's messages go to a listener, and to nobody else, while this lives.
+/// While an object of this class lives, VTK's messages go to the listener only.
 class Silence {
  public:
   Silence() : before_(vtkOutputWindow::GetInstance()), verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
@@ -61,7 +62,7 @@ class Silence {
   vtkLogger::Verbosity verbosity_;
 };
 
-/// An OpenGL context on no surface, current on this thread.
+/// An OpenGL context without a surface, current on this thread.
 class Context {
  public:
   Context() {
@@ -102,7 +103,8 @@ class Context {
   void close() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-    // The display stays: EGL keeps one for the process, and Mesa's driver leaks when it is unloaded with it.
+    // The EGL display is not closed: EGL keeps one per process, and closing it unloads Mesa's driver, which
+    // then leaks memory.
   }
 
   EGLDisplay display_ = EGL_NO_DISPLAY;
@@ -111,7 +113,8 @@ class Context {
 
 }  // namespace
 
-/// In the order of making; VTK's window must go before the context it draws with.
+/// Members are destroyed in reverse order, so that VTK's window is destroyed before the context it draws
+/// with.
 struct OffscreenWindow::Parts {
   Silence silence;
   Context context;

@@ -7,10 +7,10 @@ class vtkRenderWindow;
 
 namespace furnas {
 
-/// A window of VTK without a display: OpenGL through EGL, on no surface and no X server.
+/// A VTK window without a display: OpenGL through EGL, without a surface and without an X server.
 ///
-/// While it lives its context is current on this thread, and VTK prints nothing: what it reports is
-/// kept in `complaint`. One at a time on a thread.
+/// While the window exists, its OpenGL context is current on this thread, and VTK prints no messages: the
+/// first error is kept in `complaint`. A thread may have only one such window at a time.
 class OffscreenWindow {
  public:
   /// Sizes in pixels. Throws InputError when there is no EGL or OpenGL, or the size exceeds what OpenGL
@@ -20,7 +20,7 @@ class OffscreenWindow {
   OffscreenWindow(const OffscreenWindow&) = delete;
   OffscreenWindow& operator=(const OffscreenWindow&) = delete;
 
-  /// To add renderers to and render.
+  /// The VTK window, to which renderers are added, and which renders.
   vtkRenderWindow& vtk();
 
   /// The first error that VTK reported since the window was made; empty: none.

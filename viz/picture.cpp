@@ -28,16 +28,16 @@
 namespace furnas {
 namespace {
 
-/// Renderings that are averaged; each is shifted by a part of a pixel, which smooths the edges, and
-/// takes another reach of the ambient occlusion.
+/// Four renderings are averaged. Each is shifted by a fraction of a pixel, which smooths the edges. Each also
+/// has a different reach of the ambient occlusion.
 constexpr std::array<std::array<double, 2>, 4> shifts{
     {{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
-/// A reach for each rendering.
+/// The reach of the ambient occlusion in each rendering [d_s].
 using Reaches = std::array<double, shifts.size()>;
 
-/// How far from a surface others shade it, from the gaps between small spheres to those between large
-/// ones, and never below what a few pixels can show [d_s].
+/// The reach grows from one rendering to the next: from the size of gaps between small spheres to that of
+/// gaps between large spheres, but it is at least a few pixels [d_s].
 Reaches reaches(const std::vector<Sphere>& spheres, double pixel) {
   const auto [small, large] = std::minmax_element(
       spheres.begin(), spheres.end(), [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
@@ -94,7 +94,7 @@ Cell repeated(const Cell& cell, const std::array<int, 3>& times) {
   return all;
 }
 
-/// All that is drawn, hidden or not.
+/// Everything that is drawn, including hidden spheres.
 Drawing drawing_of(const Packing& packing, const PictureOptions& options) {
   const bool chains = options.style == PictureStyle::chains;
   Drawing drawing;
@@ -143,7 +143,7 @@ std::vector<std::uint8_t> draw(OffscreenWindow& offscreen, const Drawing& drawin
   return average.mean(options.transparent);
 }
 
-/// Lays `veil` over `picture`, so thin that what lies behind it is seen.
+/// Draws `veil` over `picture` with a low opacity.
 void lay_over(std::vector<std::uint8_t>& picture, const std::vector<std::uint8_t>& veil) {
   constexpr double opacity = 0.15;
   for (std::size_t k = 0; k < picture.size(); k += 4) {
@@ -156,7 +156,7 @@ void lay_over(std::vector<std::uint8_t>& picture, const std::vector<std::uint8_t
   }
 }
 
-/// What the colours mean; of chains those of the tubes.
+/// The legend of the colours; for chains, of the colours of the tubes.
 ColourKey legend_of(const Packing& packing, const PictureOptions& options) {
   if (options.style != PictureStyle::chains)
     return coloured(packing, options.colouring, options.backbone_threshold).legend;
@@ -164,7 +164,7 @@ ColourKey legend_of(const Packing& packing, const PictureOptions& options) {
   return {.title = "normal force [k_n d_s]", .scale = ColourScale{1e-2 * strongest, strongest, true}};
 }
 
-/// The packing alone, in all of the frame.
+/// The packing without a legend; it fills the whole frame.
 Pixels render_packing(const Packing& packing, const PictureOptions& options) {
   OffscreenWindow offscreen(options.width, options.height);
   Drawing drawing = drawing_of(packing, options);
@@ -206,7 +206,8 @@ void render_picture(const Packing& packing, const std::filesystem::path& path,
 double room_of(const Packing& packing, const std::array<int, 3>& times) {
   const Vec3<double> middle = repeated(packing.cell, times).edges * Vec3<double>{0.5, 0.5, 0.5};
   double room = norm(middle);
-  // The copies at the corners of the block are the farthest: the first and the last along each edge.
+  // The copies at the corners of the block are the farthest from the middle, so only the first and last copy
+  // along each edge are visited.
   const auto to_last = [&](std::size_t axis) { return std::max(times[axis] - 1, 1); };
   for (int a = 0; a < times[0]; a += to_last(0))
     for (int b = 0; b < times[1]; b += to_last(1))

@@ -12,10 +12,10 @@
 
 namespace furnas {
 
-/// What of a packing is drawn.
+/// Which part of a packing is drawn.
 enum class PictureStyle {
   block,  ///< a solid block of spheres
-  chains  ///< the contacts as tubes, thick and bright where they press, in translucent spheres
+  chains  ///< the contacts as tubes, thicker and brighter for larger forces, in translucent spheres
 };
 
 /// How a packing is drawn.
@@ -24,32 +24,32 @@ struct PictureOptions {
   int height = 2000;              ///< [pixels]
   bool transparent = false;       ///< no background instead of a white one
   bool cell = true;               ///< draw the edges of the periodic cell
-  bool key = false;               ///< say below the packing what the colours mean, where there is room
-  bool ambient_occlusion = true;  ///< darken what lies deep between spheres
+  bool key = false;               ///< draw the legend of the colours below the packing, if there is room
+  bool ambient_occlusion = true;  ///< darken surfaces deep between spheres
   PictureStyle style = PictureStyle::block;
   Colouring colouring = Colouring::species;
   int backbone_threshold = 4;         ///< live contacts below which a particle is a rattler
-  std::array<int, 3> times{1, 1, 1};  ///< how often the cell is repeated along its edges; block alone
-  std::optional<Slice> slice{};       ///< the part that is drawn; all if absent
-  double turn = 0;                    ///< of the eye about the vertical, from the usual view [degrees]
-  double room = 0;  ///< the frame holds a ball of this radius about the middle, which stays as the block
-                    ///< turns or shrinks [d_s]; 0: what is drawn fills it
+  std::array<int, 3> times{1, 1, 1};  ///< repetitions of the cell along its edges; only for `block`
+  std::optional<Slice> slice{};       ///< the part that is drawn; everything if absent
+  double turn = 0;  ///< rotation of the eye about the vertical, from the default view [degrees]
+  double room = 0;  ///< the frame fits a ball of this radius about the middle, so that the scale stays the
+                    ///< same in a series of pictures [d_s]; 0: the frame fits what is drawn
 };
 
 /// The packing in three-quarter view: every particle once, at its place in the cell. Needs no display. Throws
-/// InputError when there is no particle, no OpenGL or no such size, or chains are asked of a packing without
-/// contacts.
+/// InputError when there is no particle or no OpenGL, when the size is not possible, or when chains are
+/// requested for a packing without contacts.
 Pixels render(const Packing& packing, const PictureOptions& options = {});
 
-/// render, to a PNG or JPEG file (write_picture); throws OutputError when the file cannot be written.
+/// Renders to a PNG or JPEG file (write_picture); throws OutputError when the file cannot be written.
 void render_picture(const Packing& packing, const std::filesystem::path& path,
                     const PictureOptions& options = {});
 
-/// Radius of the ball that holds everything, the cell repeated `times`, about the middle of it all [d_s]; for
+/// Radius of the ball about the middle that contains all spheres and the cell, repeated `times` [d_s]; for
 /// PictureOptions::room.
 double room_of(const Packing& packing, const std::array<int, 3>& times = {1, 1, 1});
 
-/// What the colours mean, for the reader.
+/// A sentence about the meaning of the colours.
 std::string key_of(const Packing& packing, const PictureOptions& options);
 
 }  // namespace furnas

@@ -14,7 +14,7 @@ using Across = TextPlace::Across;
 using Along = TextPlace::Along;
 
 constexpr double least_letters = 8;  // [pixels]
-constexpr double strip = 4.6;        // height in letters
+constexpr double strip = 4.6;        // height of the strip in heights of letters
 
 double letters_of(int width) { return 0.019 * width; }
 
@@ -25,7 +25,7 @@ void fill(Canvas& canvas, const Box& box, const Colour& colour) {
               colour);
 }
 
-/// A bar of the colours with its values below and its title above.
+/// Draws a bar of the colours, with values below and a title above.
 void draw_scale(Canvas& canvas, const ColourKey& key, int width, double letters) {
   const ColourScale& scale = *key.scale;
   const Box bar{0.15 * width, 1.7 * letters, 0.85 * width, 2.6 * letters};
@@ -55,7 +55,7 @@ void draw_scale(Canvas& canvas, const ColourKey& key, int width, double letters)
   write(canvas, {0.5 * width, 3.1 * letters}, key.title, letters, {Across::centre, Along::bottom});
 }
 
-/// A square of each colour and its word, all in a row.
+/// Draws a square and a word for each colour, all in a row.
 void draw_words(Canvas& canvas, const ColourKey& key, int width, double letters) {
   const double gap = 0.5 * letters, between = 2 * letters;
   double length = -between;

@@ -5,11 +5,12 @@
 
 namespace furnas {
 
-/// Height of the strip below a picture of this width in which its key is drawn [pixels]; 0 where letters
-/// would be too small to read.
+/// Height of the strip for the key below a picture of this width [pixels]; 0 if the letters would be too
+/// small to read.
 int height_of_key(int width);
 
-/// The key in such a strip, black on white. Needs no display; throws InputError when there is no OpenGL.
+/// The key drawn in a strip of this height, black on white. Needs no display; throws InputError when there is
+/// no OpenGL.
 Pixels drawn_key(const ColourKey& key, int width);
 
 }  // namespace furnas

@@ -24,7 +24,7 @@ vtkNew<vtkImageData> as_vtk(const Pixels& pixels, int channels) {
   return data;
 }
 
-/// To memory: VTK's own writing reports a full disk or a missing folder only by printing.
+/// Encodes to memory, because VTK reports a full disk or a missing folder only by printing a message.
 template <class Writer>
 void write_with(Writer& writer, const Pixels& pixels, int channels, const std::filesystem::path& path) {
   writer.SetInputData(as_vtk(pixels, channels));

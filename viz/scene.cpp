@@ -41,7 +41,7 @@ vtkNew<vtkActor> actor_of(const std::vector<Sphere>& spheres) {
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
   colours->SetNumberOfTuples(count);
-  // The mapper draws vertices, not points: one cell that names them all.
+  // The mapper draws vertices, not points. Therefore one cell of vertices lists all points.
   vtkNew<vtkCellArray> vertices;
   vertices->Use32BitStorage();
   vertices->InsertNextCell(static_cast<int>(count));
@@ -101,7 +101,7 @@ vtkNew<vtkActor> actor_of(const CellFrame& frame) {
   return actor;
 }
 
-/// A light from far away, fixed to the camera: x to the right, y up, z towards the eye.
+/// Adds a distant light with a direction fixed to the camera: x to the right, y up, z towards the eye.
 void shine(vtkRenderer& renderer, const Vec3<double>& from, double intensity) {
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();

@@ -20,19 +20,19 @@ struct CellFrame {
   double tube() const;  ///< radius of the tubes [d_s]
 };
 
-/// What is drawn: spheres, with `frame` the edges of the cell, with `chains` the tubes of force_chains; in
-/// which case the spheres are translucent.
+/// What is drawn: the spheres, the edges of the cell if there is a `frame`, and the tubes of force_chains if
+/// there are `chains`.
 struct Drawing {
   std::vector<Sphere> spheres;
   std::optional<CellFrame> frame;
   vtkSmartPointer<vtkActor> chains;
 };
 
-/// The view that holds all of the drawing in a frame of width / height `aspect`, from `turn` degrees about
-/// the vertical.
+/// The view that contains the whole drawing in a frame of width / height `aspect`; the eye is rotated by
+/// `turn` degrees about the vertical.
 View view_of(const Drawing& drawing, double aspect, double turn = 0);
 
-/// The drawing with lights and the camera of `view`. The background is left transparent.
+/// The drawing with lights and the camera of `view`. The background is transparent.
 vtkSmartPointer<vtkRenderer> scene_of(const Drawing& drawing, const View& view);
 
 }  // namespace furnas

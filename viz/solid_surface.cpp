@@ -22,10 +22,10 @@
 namespace furnas {
 namespace {
 
-constexpr std::int64_t slab = 8;  // layers of cells at a time
+constexpr std::int64_t slab = 8;  // layers of grid cells processed at a time
 
-/// Points so that the box of the solid lies between them and the outermost are outside: half a spacing beyond
-/// faces at which the solid is cut, so that each face lies in the middle of an edge of the grid.
+/// A grid of points whose outermost points lie outside the box of the solid. At faces at which the solid is
+/// cut they lie half a spacing outside, so that each face lies in the middle between two planes of the grid.
 PointGrid grid_around(const Solid& solid, double edge, bool cut) {
   PointGrid grid = voxel_grid(solid, edge);
   const double beyond = cut ? 0.5 : 1.5;  // in spacings
@@ -36,10 +36,11 @@ PointGrid grid_around(const Solid& solid, double edge, bool cut) {
 
 double largest(const Vec3<double>& v) { return std::max({v.x, v.y, v.z}); }
 
-/// How far a point is out of a slab from `low` to `high`, negative inside.
+/// Distance of a point from a slab from `low` to `high`; negative inside.
 double beyond(double at, double low, double high) { return std::max(low - at, at - high); }
 
-/// Distances, of which those outside the box of a cut solid are raised to the distance from its faces.
+/// Distances from the surface. If the solid is cut, the distance of each point is at least its distance from
+/// the box, so that the box closes the surface.
 class Distances {
  public:
   explicit Distances(const SurfacePlan& plan)
@@ -73,7 +74,7 @@ class Distances {
   std::int64_t plane_ = 0;
 };
 
-/// Finds where the distance is zero between the planes `first` to `last` and adds the triangles.
+/// Adds the triangles of the surface of zero distance between the planes `first` and `last`.
 void add_surface(const PointGrid& grid, std::vector<float>& values, std::int64_t first, std::int64_t last,
                  StlFile& file) {
   vtkNew<vtkFloatArray> distances;
@@ -81,7 +82,8 @@ void add_surface(const PointGrid& grid, std::vector<float>& values, std::int64_t
   vtkNew<vtkImageData> image;
   image->SetOrigin(grid.first.x, grid.first.y, grid.first.z);
   image->SetSpacing(grid.spacing.x, grid.spacing.y, grid.spacing.z);
-  // Counted from the first plane of all: so the points of a plane that two slabs share are the same bits.
+  // Planes are numbered from the first plane of the whole grid, so that the points of a plane that two slabs
+  // share have the same bits.
   image->SetExtent(0, static_cast<int>(grid.points[0] - 1), 0, static_cast<int>(grid.points[1] - 1),
                    static_cast<int>(first), static_cast<int>(last));
   image->GetPointData()->SetScalars(distances);
@@ -100,7 +102,7 @@ void add_surface(const PointGrid& grid, std::vector<float>& values, std::int64_t
     std::array<Vec3<float>, 3> triangle;
     for (std::size_t k = 0; k < 3; ++k) {
       double x[3];
-      found.GetPoint(corners[2 - k], x);  // VTK turns them towards larger values, inward for distances
+      found.GetPoint(corners[2 - k], x);  // reversed: VTK's order would give normals inward here
       triangle[k] = {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
     }
     file.add(triangle);
@@ -114,7 +116,8 @@ SurfacePlan plan_surface(const Packing& packing, double edge, bool cut) {
   plan.cut = cut;
   plan.solid = cut ? periodic_solid(packing, 2 * edge) : whole_solid(packing);
   plan.grid = grid_around(plan.solid, edge, cut);
-  // A sphere is crossed by 6 pi R^2/h^2 lines of the grid, each a corner; triangles are twice as many.
+  // Lines of the grid with spacing h cross the surface of a sphere at 6 pi R^2/h^2 points. Each is a corner
+  // of triangles, and there are twice as many triangles as corners.
   for (const double radius : packing.radius) plan.triangles += 12 * std::numbers::pi * radius * radius;
   plan.triangles /= edge * edge;
   if (plan.triangles > std::numeric_limits<std::uint32_t>::max())

@@ -22,18 +22,19 @@ struct Sphere {
 
 /// A slab between two planes along one edge of the cell.
 struct Slice {
-  int axis{};             ///< edge of the cell that it cuts: 0, 1 or 2
+  int axis{};             ///< edge of the cell along which the slab is cut: 0, 1 or 2
   double from{}, upto{};  ///< fractions of that edge
 };
 
-/// Every particle once at its place in the cell, the cell repeated `times` along its edges. With a slice only
-/// the particles whose centres lie in it. `colours` has one for each particle.
+/// The spheres of all particles at their places in the cell, which is repeated `times` along its edges. With
+/// a slice only particles whose centres lie in the slice are included. `colours` has one colour for each
+/// particle.
 std::vector<Sphere> spheres_of(const Packing& packing, const std::vector<Rgb>& colours,
                                const std::array<int, 3>& times, const std::optional<Slice>& slice);
 
-/// The spheres that can be seen when all are opaque, in a frame of so many pixels: a sphere of a packing of
-/// many millions is nearly always hidden. May keep hidden spheres; never drops a sphere that shows in a
-/// pixel.
+/// The spheres that are visible if all are opaque, in a frame of width x height pixels. In a packing of many
+/// millions nearly all spheres are hidden. The result may contain hidden spheres, but contains every sphere
+/// that is visible in a pixel.
 std::vector<Sphere> visible(const std::vector<Sphere>& spheres, const View& view, int width, int height);
 
 }  // namespace furnas

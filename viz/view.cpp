@@ -12,7 +12,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double azimuth = 32 * degree;    // from -y towards +x
 constexpr double elevation = 26 * degree;  // above the x-y plane
-constexpr double half_angle = 7 * degree;  // of the longer side of the frame: a hint of perspective
+constexpr double half_angle = 7 * degree;  // of the longer side of the frame: weak perspective
 constexpr double margin = 0.02;            // of the frame, free on each side
 
 }  // namespace
@@ -52,7 +52,8 @@ View ViewFit::view() const {
   View view = axes_;
   const double free = 1 - 2 * margin;
   const double a = std::atan(view.slope_x * free), b = std::atan(view.slope_y * free);
-  // The eye lies where the left and right planes meet, and top and bottom; the farther of the two.
+  // The left and right planes meet in a line, and so do the top and bottom planes. The eye is placed at the
+  // farther of these two lines.
   const double x = (reach_[0] - reach_[1]) / (2 * std::cos(a));
   const double y = (reach_[2] - reach_[3]) / (2 * std::cos(b));
   const double z =

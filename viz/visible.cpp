@@ -7,7 +7,7 @@
 namespace furnas {
 namespace {
 
-/// How far each pixel's ray goes until it meets a sphere.
+/// For each pixel, the distance along its ray to the nearest sphere.
 class DepthBuffer {
  public:
   DepthBuffer(const View& view, int width, int height)
@@ -16,7 +16,8 @@ class DepthBuffer {
         height_(height),
         depth_(std::size_t(width) * std::size_t(height), std::numeric_limits<float>::infinity()) {}
 
-  /// A sphere hides what lies behind it; a pixel less than it is, because pixels are sampled anywhere.
+  /// Adds a sphere that hides what lies behind it. Its radius is reduced by one pixel, because pixels may be
+  /// sampled anywhere within their area.
   void add(const Sphere& sphere) {
     scan(sphere, -1, [](float& nearest, float depth) {
       nearest = std::min(nearest, depth);
@@ -24,22 +25,22 @@ class DepthBuffer {
     });
   }
 
-  /// Whether any pixel may see it.
+  /// Whether the sphere may be visible in any pixel.
   bool sees(const Sphere& sphere) {
     const double slack = 2 * view_.pixel(view_.farthest, height_);
     return scan(sphere, 1, [slack](const float& nearest, float depth) { return depth - slack <= nearest; });
   }
 
  private:
-  /// Shows the pixels that meet the sphere, made `pixels` larger, to `look` with the depth at which they do,
-  /// until it says that it has seen enough.
+  /// Calls look(nearest, depth) for each pixel whose ray meets the sphere, whose radius is enlarged by
+  /// `pixels`. `depth` is the depth of the meeting point. Stops when `look` returns true.
   template <class Look>
   bool scan(const Sphere& sphere, double pixels, Look&& look) {
     const Vec3<double> d = Vec3<double>{sphere.centre.x, sphere.centre.y, sphere.centre.z} - view_.eye;
     const Vec3<double> c{dot(d, view_.right), dot(d, view_.up), -dot(d, view_.toward)};  // c.z: depth
     const double radius = sphere.radius + pixels * view_.pixel(c.z, height_);
     if (radius <= 0) return false;
-    // A sphere beside the axis shows a little more than its radius over its depth.
+    // A sphere off the axis appears slightly larger than its radius divided by its depth.
     const double reach = 1.05 * radius / (c.z - radius);
     const Range columns = range(c.x / c.z / view_.slope_x, reach / view_.slope_x, width_);
     const Range rows = range(c.y / c.z / view_.slope_y, reach / view_.slope_y, height_);

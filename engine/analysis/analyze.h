@@ -14,15 +14,15 @@
 
 namespace furnas {
 
-/// What analyze() is told beside the packing.
+/// What analyze() needs besides the packing.
 struct AnalysisOptions {
-  double friction = 0;         ///< mu that tangential forces are measured against; 0: there are none
+  double friction = 0;         ///< mu, with which tangential forces are compared; 0: there are none
   int backbone_threshold = 4;  ///< live contacts below which a particle is a rattler, 2 to 4
   ForceBins force_bins{};
   PairCorrelationOptions pair_correlation{};
 };
 
-/// The forces and directions of some contacts: of one kind, or of all.
+/// The forces and directions of the contacts of one kind, or of all contacts.
 struct ContactAnalysis {
   std::optional<PairKind> kind;  ///< nothing: all
   ForceDistribution normal, tangential;
@@ -30,14 +30,14 @@ struct ContactAnalysis {
   Fabric fabric;
 };
 
-/// All that can be read off the contacts.
+/// Results that need the contacts.
 struct NetworkAnalysis {
   Coordination coordination;           ///< of all particles
   Coordination backbone_coordination;  ///< of the particles that are no rattlers
   std::vector<RattlerSensitivity> rattlers;
-  std::vector<Fabric> fabric;  ///< of all contacts: together, then by PairKind, as below
-  /// Of the backbone's contacts: together, then each kind that occurs; none if the spheres are one species of
-  /// many sizes.
+  std::vector<Fabric> fabric;  ///< of all contacts: first all together, then by PairKind, as in `backbone`
+  /// Of the backbone's contacts: first all together, then each kind that occurs. The kinds are left out if
+  /// the spheres are one species of many sizes.
   std::vector<ContactAnalysis> backbone;
 };
 
@@ -48,19 +48,20 @@ struct MixtureFractions {
   double phi_small{};       ///< phi_S = f_s phi/(1 - phi (1 - f_s))
 };
 
-/// What a packing is made of and how it hangs together.
+/// What a packing consists of, and its contact network.
 struct Analysis {
   std::int64_t large{}, small{};            ///< particles of each species
   Sizes sizes;                              ///< of the spheres
   bool polydisperse{};                      ///< spheres of one species differ in size
   double phi{};                             ///< packing fraction
   std::optional<MixtureFractions> mixture;  ///< nothing for a polydisperse packing
-  int backbone_threshold{};                 ///< as it was asked for
-  double friction{};                        ///< as it was asked for
+  int backbone_threshold{};                 ///< as in AnalysisOptions
+  double friction{};                        ///< as in AnalysisOptions
   std::optional<NetworkAnalysis> network;   ///< nothing without contacts
   std::vector<PairCorrelation> pairs;       ///< of each kind, then of all
 
-  /// Whether it means something to be large or small: not where spheres of many sizes are one species.
+  /// Whether the distinction of large and small has a meaning; it has none if spheres of many sizes are one
+  /// species.
   bool has_species() const { return !polydisperse || (large > 0 && small > 0); }
 };
 

@@ -10,7 +10,7 @@
 
 namespace furnas {
 
-/// Which species meet.
+/// Which two species are in contact.
 enum class PairKind { large_large = 0, large_small = 1, small_small = 2 };
 
 inline constexpr std::array pair_kinds{PairKind::large_large, PairKind::large_small, PairKind::small_small};
@@ -31,7 +31,7 @@ inline double tangential_force(const Contact& c) {
   return norm(c.force - (dot(c.force, c.branch) / dot(c.branch, c.branch)) * c.branch);
 }
 
-/// Contacts that are looked at together: their places in the packing's list.
+/// Contacts that are analyzed together: their indices in Packing::contacts.
 using Selection = std::vector<std::size_t>;
 
 /// All contacts.

@@ -10,7 +10,7 @@ double Coordination::mean() const {
 double Coordination::of(Species species, Species with) const {
   const std::int64_t count = species == Species::large ? large : small;
   if (count == 0) return 0;
-  // Both ends of a contact between equals belong to the species.
+  // In a contact between equals both particles belong to the species.
   const double ends = species == with ? 2 : 1;
   return ends * static_cast<double>(contacts[static_cast<std::size_t>(kind_of(species, with))]) /
          static_cast<double>(count);

@@ -18,18 +18,19 @@ struct Coordination {
   /// Z = 2 contacts/particles; 0 without particles.
   double mean() const;
 
-  /// Contacts of a particle of one species with particles of another (or its own), on average; 0 without
-  /// particles. That of large with small is N_ls/N_l, that of small with large N_ls/N_s.
+  /// Mean number of contacts of a particle of one species with particles of another (or its own); 0 without
+  /// particles. With N_ls contacts between large and small particles, a large particle has N_ls/N_l contacts
+  /// with small ones, and a small particle N_ls/N_s with large ones.
   double of(Species species, Species with) const;
 
-  /// Contacts of a particle of one species, on average.
+  /// Mean number of contacts of a particle of one species.
   double of(Species species) const { return of(species, Species::large) + of(species, Species::small); }
 };
 
 /// Counts all particles and contacts.
 Coordination coordination(const Packing& packing);
 
-/// Counts the backbone alone: its particles, and its contacts as backbone_contacts() gives them.
+/// Counts only the particles of the backbone, and the contacts of backbone_contacts().
 Coordination coordination(const Packing& packing, const std::vector<bool>& rattler,
                           const Selection& contacts);
 

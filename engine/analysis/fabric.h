@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Where contacts point to: the mean of n (x) n over contacts (M. Satake, 1982). Its trace is 1.
+/// The directions of contacts: the mean of n (x) n over contacts (M. Satake, 1982). Its trace is 1.
 struct Fabric {
   std::int64_t contacts{};
   std::array<double, 6>
@@ -17,7 +17,7 @@ struct Fabric {
   /// eigenvalues are equal. 0 without contacts.
   double anisotropy() const;
 
-  /// Root mean square of the anisotropy of as many random directions, 1/sqrt(contacts).
+  /// Root mean square anisotropy of the same number of random directions, 1/sqrt(contacts).
   double anisotropy_by_chance() const;
 };
 

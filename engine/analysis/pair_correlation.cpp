@@ -25,7 +25,7 @@ double shortest_height(const Packing& p) {
 struct Group {
   std::vector<Fraction> places;
   double diameter = 0;     ///< mean [d_s]
-  std::size_t stride = 1;  ///< every so many are looked at from
+  std::size_t stride = 1;  ///< distances are measured from every stride-th particle
 
   std::size_t size() const { return places.size(); }
   std::size_t origins() const { return (size() + stride - 1) / stride; }
@@ -49,10 +49,10 @@ std::array<Group, 2> groups_of(const Packing& p, double reach, double most_pairs
   return groups;
 }
 
-/// Distances from the origins of one group to all of another, in bins of one width.
+/// Histogram of the distances from the origins of one group to all particles of another.
 Counts count_distances(const Triangle& edges, const Group& from, const Group& to, bool same, double reach,
                        double width, std::size_t bins) {
-  // Places are rounded to 2^-53 of the cell; none may be lost to that.
+  // Positions are rounded to 2^-53 of the cell. No particle may be missed because of this rounding.
   constexpr double tolerance = 1e-9;
   const Vec3<double> faces = heights(edges);
   const double itself = tolerance * std::min({faces.x, faces.y, faces.z});  // nearer than any image
@@ -90,7 +90,8 @@ Counts coarser(const Counts& fine, std::size_t merged) {
   return coarse;
 }
 
-/// Volume of a shell times the density of pairs from N origins to `partners` others each.
+/// Number of pairs in the shell of a bin that an ideal gas has: volume of the shell times the density of
+/// pairs, where each origin has `partners` possible partners.
 double expected_pairs(const PairCorrelation& found, std::size_t bin, double partners, double volume) {
   return static_cast<double>(found.origins) * partners / volume *
          (sphere_volume(found.edges[bin + 1]) - sphere_volume(found.edges[bin]));
@@ -111,7 +112,7 @@ PairCorrelation of_one_kind(std::optional<PairKind> kind, const Group& from, con
   lay_edges(found, width);
   const bool same = &from == &to;
   const auto partners = static_cast<double>(to.size());
-  // A pair of two origins of one species was met from both ends.
+  // A pair of two origins of one species was counted from both of its particles.
   const double spread = same ? 1 + 1 / from.weight() : 1;
   double met = 0;
   for (std::size_t b = 0; b < found.counts.size(); ++b) {
@@ -125,12 +126,12 @@ PairCorrelation of_one_kind(std::optional<PairKind> kind, const Group& from, con
   return found;
 }
 
-/// From counts in the same bins: large to large, large to small, small to small.
+/// g(r) of all particles, from the counts large-large, large-small and small-small in the same bins.
 PairCorrelation of_all(const std::array<Group, 2>& groups, const std::array<Counts, 3>& counts, double width,
                        double volume) {
   const auto& [large, small] = groups;
-  // Pairs from small to large were met from the other end only; pairs seen from a share of the origins count
-  // for the others.
+  // Large-small pairs were counted from the large particle only, hence the factor 2. Counts from every
+  // stride-th origin are multiplied by the stride.
   const double weights[] = {large.weight(), 2 * large.weight(), small.weight()};
   const double spreads[] = {1 + 1 / large.weight(), 1, 1 + 1 / small.weight()};
   const auto particles = static_cast<double>(large.size() + small.size());

@@ -29,7 +29,8 @@ std::vector<bool> live_contacts(const Packing& p, double share) {
 }
 
 std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int least_contacts) {
-  // Partners of k will be at [first[k], first[k + 1]). Each is filled in from its end, which moves there.
+  // The partners of k will be at [first[k], first[k + 1]). Each range is filled from its end, so that
+  // first[k] moves from the end of the range to its beginning.
   require(2 * p.contacts.size() < std::numeric_limits<std::uint32_t>::max(), "contacts fit in 31 bits");
   std::vector<std::uint32_t> first(p.size() + 1, 0);
   for (std::size_t n = 0; n < p.contacts.size(); ++n)
@@ -46,7 +47,7 @@ std::vector<bool> rattlers(const Packing& p, const std::vector<bool>& live, int 
 
   const auto least = static_cast<std::uint32_t>(least_contacts);
   std::vector<bool> out(p.size(), false);
-  std::vector<std::uint32_t> gone;  // but their partners have not heard of it
+  std::vector<std::uint32_t> gone;  // removed particles whose partners' counts are not yet reduced
   for (std::uint32_t k = 0; k < p.size(); ++k) {
     if (out[k] || degree[k] >= least) continue;
     out[k] = true;

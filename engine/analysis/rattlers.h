@@ -14,17 +14,18 @@ inline constexpr double live_force_share = 0.01;
 /// Which contacts are live: their normal force exceeds `share` of the mean normal force of their kind.
 std::vector<bool> live_contacts(const Packing& packing, double share = live_force_share);
 
-/// Which particles are rattlers: those with fewer than `least_contacts` live contacts are taken out
-/// with their contacts, again and again until none goes; what remains is the backbone.
+/// Which particles are rattlers: particles with fewer than `least_contacts` live contacts are removed
+/// together with their contacts, and this is repeated until no particle is removed. The remaining particles
+/// are the backbone.
 std::vector<bool> rattlers(const Packing& packing, const std::vector<bool>& live, int least_contacts);
 
 /// Rattlers per species, and the contacts of the backbone.
 RattlerCount count_rattlers(const Packing& packing, const std::vector<bool>& live,
                             const std::vector<bool>& rattler, int least_contacts);
 
-/// What the count of rattlers owes to the force below which a contact does not count.
+/// The count of rattlers for one force threshold, to show how the count depends on the threshold.
 struct RattlerSensitivity {
-  double share;  ///< of the mean normal force of its kind that a live contact exceeds
+  double share;  ///< a live contact exceeds this share of the mean normal force of its kind
   RattlerCount count;
 };
 

@@ -89,7 +89,7 @@ PointGrid voxel_grid(const Solid& solid, double edge) {
   return grid;
 }
 
-/// Turns to the next plane and gives its height.
+/// Advances to the next plane and returns its height.
 double SolidPlanes::advance() {
   require(plane_ < grid_.points[2], "the grid has no more planes");
   const double height = grid_.first.z + static_cast<double>(plane_++) * grid_.spacing.z;

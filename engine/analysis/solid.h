@@ -15,18 +15,20 @@ struct PlacedSphere {
   double radius{};
 };
 
-/// The union of spheres, and the box in which it is looked at [d_s].
+/// The union of spheres, and the box that bounds the region of interest [d_s].
 struct Solid {
   Vec3<double> low, high;             ///< corners of the box
-  std::vector<PlacedSphere> spheres;  ///< the one that begins lowest along z first
+  std::vector<PlacedSphere> spheres;  ///< sorted by their lowest point along z
 };
 
-/// Every sphere once and whole, at its place in the cell, in the box that just holds them all.
+/// Every sphere once and whole, at its place in the cell; the box is the smallest one that contains all
+/// spheres.
 Solid whole_solid(const Packing& packing);
 
 /// The box from 0 to (xx, yy, zz), the diagonal of the cell's edges, with every image of a sphere that comes
-/// within `margin` of it. The box has the volume of the cell and repeats as the packing does: along x; along
-/// y with a shift of xy in x; along z with one of xz in x and yz in y.
+/// within `margin` of it. The box has the volume of the cell and is periodic like the packing. Its image
+/// along x has no shift; the image along y is shifted by xy in x; the image along z is shifted by xz in x and
+/// yz in y.
 Solid periodic_solid(const Packing& packing, double margin = 0);
 
 /// Points on a rectangular grid [d_s].
@@ -37,15 +39,17 @@ struct PointGrid {
   std::int64_t in_a_plane() const { return points[0] * points[1]; }
 };
 
-/// The middles of the voxels into which the box of a solid is divided: whole ones, as near to cubes of this
-/// edge as that allows. Throws InputError unless 0 < edge, and for more than 2^40 voxels.
+/// The centres of the voxels into which the box of a solid is divided. The box holds a whole number of voxels
+/// along each axis, so the voxels are cubes of this edge only approximately. Throws InputError unless 0 <
+/// edge, and for more than 2^40 voxels.
 PointGrid voxel_grid(const Solid& solid, double edge);
 
-/// Says of the points of a grid where they are in a solid, plane by plane upwards along z: of the solid, only
-/// what reaches into a plane is looked at.
+/// Tells for each point of a grid whether it lies inside a solid or how far it is from the surface. Works
+/// plane by plane upwards along z, and uses only the spheres that reach into the plane.
 class SolidPlanes {
  public:
-  /// `reach`: distances from the surface are told up to it [d_s]. Solid and grid are to live as long.
+  /// `reach`: distances from the surface are computed up to this value [d_s]. Solid and grid must outlive the
+  /// object.
   SolidPlanes(const Solid& solid, const PointGrid& grid, double reach = 0)
       : solid_(solid), grid_(grid), reach_(reach) {}
 

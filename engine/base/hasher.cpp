@@ -1,6 +1,7 @@
 #include "engine/base/hasher.h"
 
-#define XXH_INLINE_ALL  // here alone: who includes the header may include xxhash.h in another way
+#define XXH_INLINE_ALL  // only here, because a file that includes hasher.h may itself include xxhash.h
+                        // without this macro
 #include <xxhash.h>
 
 namespace furnas {

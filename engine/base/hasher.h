@@ -11,7 +11,7 @@ namespace furnas {
 
 static_assert(std::endian::native == std::endian::little, "hashes are defined for little-endian numbers");
 
-/// The 64-bit hash XXH3 of bytes that come piece by piece.
+/// The 64-bit hash XXH3 of bytes that are added piece by piece.
 class Hasher {
  public:
   Hasher();

@@ -13,8 +13,8 @@
 
 namespace furnas {
 
-/// The number that the whole word is, to the last bit; nothing if it is none, or out of range. Infinity and
-/// NaN are numbers, which a stream does not know.
+/// Converts the whole word to a number, exact to the last bit; returns nothing if the word is no number or
+/// the number is out of range. Unlike a stream it accepts infinity and NaN as numbers.
 template <class Number>
 std::optional<Number> number_in(std::string_view word) {
   Number value{};
@@ -23,7 +23,7 @@ std::optional<Number> number_in(std::string_view word) {
   return value;
 }
 
-/// Reads the numbers of a text, which stand between blanks or ends of lines. The text must outlive it.
+/// Reads the numbers of a text, separated by blanks or ends of lines. The text must outlive the object.
 class Numbers {
  public:
   explicit Numbers(std::string_view text) : rest_(text) {}
@@ -34,13 +34,14 @@ class Numbers {
     return !rest_.empty();
   }
 
-  /// Takes the next words, a bool as 0 or 1; false if one is missing or is no number of its kind.
+  /// Reads one word for each value, a bool as 0 or 1. Returns false if a word is missing or is no number of
+  /// the value's type.
   template <class... Values>
   bool take(Values&... values) {
     return (take_one(values) && ...);
   }
 
-  /// The same, and nothing may be left over, not even a blank.
+  /// Like take(); also returns false if anything is left over, even a blank.
   template <class... Values>
   bool take_all(Values&... values) {
     return take(values...) && rest_.empty();
@@ -67,7 +68,7 @@ class Numbers {
   std::string_view rest_;
 };
 
-/// A number as text that reads back to the last bit: 17 digits, without zeros at their end.
+/// A number as text from which the same bits are read back: 17 digits without trailing zeros.
 inline std::string exact_text(double value) {
   char digits[32];
   constexpr int count = std::numeric_limits<double>::max_digits10;
@@ -78,7 +79,7 @@ std::string exact_text(Whole value) {
   return std::to_string(value);
 }
 
-/// Several with blanks between them, as Numbers reads them: "2 0.5 1".
+/// Several numbers with blanks between them, as Numbers reads them: "2 0.5 1".
 template <class First, class... Others>
 requires(sizeof...(Others) > 0) std::string exact_text(First first, Others... others) {
   return exact_text(first) + ((' ' + exact_text(others)) + ...);

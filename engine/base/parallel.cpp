@@ -19,8 +19,9 @@
 namespace furnas {
 namespace {
 
-/// While it lives, this thread rounds to nearest and takes numbers below 1e-308 for zero, whatever its caller
-/// has set. Such numbers mean nothing here, and arithmetic with them is 40 times slower.
+/// While an object of this class lives, its thread rounds to nearest and treats numbers below 1e-308 as zero,
+/// whatever the caller has set. Such numbers have no physical meaning here, and arithmetic with them is 40
+/// times slower.
 class Arithmetic {
  public:
   Arithmetic() {
@@ -40,14 +41,14 @@ class Arithmetic {
   std::fenv_t before_{};
 };
 
-/// The team that this thread belongs to, if any, and which of its members it is.
+/// The team that this thread belongs to, if any, and this thread's number in the team.
 struct Seat {
   Team* team = nullptr;
   int member = 0;
 };
 thread_local Seat seat;
 
-/// While it lives, this thread has another seat.
+/// While an object of this class lives, its thread has another seat.
 class Seated {
  public:
   explicit Seated(Seat mine) : before_(std::exchange(seat, mine)) {}
@@ -59,8 +60,9 @@ class Seated {
   Seat before_;
 };
 
-/// The work of a helper, as a task. The task is handed over inside the library of oneTBB, where
-/// ThreadSanitizer sees nothing; so the thread that hands it over and the thread that takes it say so here.
+/// The work of a helper, as a task. The task passes from one thread to another inside the oneTBB library,
+/// where ThreadSanitizer cannot see the synchronization. Therefore both threads also synchronize through
+/// `put_down`.
 class Helper {
  public:
   Helper(std::shared_ptr<Team> team, int member) : team_(std::move(team)), member_(member) {}
@@ -82,15 +84,16 @@ class Helper {
 
 }  // namespace
 
-/// Work begins in an arena of one thread. Its helpers come from another, so that nobody waits for a task that
-/// only a helper could run.
+/// Work begins in an arena of one thread. The helpers run in an arena of their own, so that no thread waits
+/// for a task that only a helper could run.
 struct Workers::Arena {
   int threads;
   tbb::task_arena leader{1};
   tbb::task_arena helpers;
 };
 
-// oneTBB takes over the arithmetic of the thread that begins an arena, for all that ever work in it.
+// oneTBB copies the floating-point settings of the thread that initializes an arena to all threads that work
+// in the arena.
 Workers::Workers(int threads)
     : arena_(new Arena{threads, tbb::task_arena(1), tbb::task_arena(std::max(threads - 1, 1), 0)}) {
   const Arithmetic arithmetic;
@@ -102,7 +105,8 @@ Workers::~Workers() = default;
 int Workers::threads() const { return arena_->threads; }
 
 void Workers::run(const std::function<void()>& work) {
-  // A helper that comes when all is done finds itself dismissed, and the team still there.
+  // A helper may start only after all work is done. The shared pointer keeps the team alive for this helper,
+  // which finds itself dismissed.
   const auto team = std::make_shared<Team>(arena_->threads);
   for (int member = 1; member < arena_->threads; ++member) arena_->helpers.enqueue(Helper(team, member));
   int raised = 0;

@@ -11,8 +11,8 @@ namespace furnas {
 
 struct Job;
 
-/// The threads that the work of one simulation may use. On all of them arithmetic rounds to nearest and takes
-/// numbers below 1e-308 for zero, whatever the rest of the program has set.
+/// The threads that the work of one simulation may use. On all of them arithmetic rounds to nearest and
+/// treats numbers below 1e-308 as zero, whatever the rest of the program has set.
 class Workers {
  public:
   explicit Workers(int threads);
@@ -22,8 +22,8 @@ class Workers {
 
   int threads() const;
 
-  /// Runs `work` with these threads; loops inside it use no others. The floating-point exceptions of the
-  /// thread that begins it are raised for the caller.
+  /// Runs `work` with these threads; loops inside `work` use no others. Floating-point exceptions of the
+  /// thread that calls `work` are raised again in the caller's thread.
   void run(const std::function<void()>& work);
 
  private:
@@ -31,22 +31,22 @@ class Workers {
   std::unique_ptr<Arena> arena_;
 };
 
-/// Threads of this machine.
+/// Number of threads of this machine.
 int available_threads();
 
 namespace detail {
-/// If set, called before each piece of a loop that threads share: so that a test can delay them as it likes.
+/// If set, called before each piece of a loop that threads share, so that a test can delay the threads.
 inline std::atomic<void (*)()> before_piece = nullptr;
 
 void run_chunks(std::size_t chunks, void (*call)(void*, std::size_t), void* body);
 
-/// Whether this thread works for some Workers::run. Only then there is anybody to offer a job to.
+/// Whether this thread works within a Workers::run. Only then other threads exist that can take a job.
 bool at_work();
 
-/// Leaves a job to whichever of these threads is free first.
+/// Leaves a job to the first free thread of the same Workers::run.
 void offer(Job& job);
 
-/// Takes part in jobs and in loops until `open` is 0.
+/// This thread works on jobs and on loops until `open` is 0.
 void help_until_none(const std::atomic<std::size_t>& open);
 }  // namespace detail
 

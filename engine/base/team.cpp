@@ -12,7 +12,7 @@
 namespace furnas {
 namespace {
 
-/// Waits until `met`, awake at first, then leaving the processor to others.
+/// Waits until `met()`: at first by spinning, later by yielding the processor to other threads.
 template <class Condition>
 void wait_until(Condition&& met) {
   constexpr int awake = 4000;
@@ -99,12 +99,14 @@ bool Team::is_open(std::uint64_t loop, int member) const {
 
 void Team::join(int member) {
   ++busy_;
-  // Closed in the meantime, or not: who runs it waits for those who are busy before it changes anything.
+  // The loop may have been closed in the meantime. That does no harm, because the member that runs the loop
+  // waits for all busy members before it changes anything.
   const std::uint64_t loop = loop_;
   if (is_open(loop, member)) {
     ranges_[static_cast<std::size_t>(member)].joined = loop;
     work(member);
-    // Once for all of them: a line that all write costs as much as a piece of work.
+    // The counter is increased once for all pieces, because writing to a cache line that all threads write
+    // costs as much as a piece of work.
     const std::size_t done = ranges_[static_cast<std::size_t>(member)].done;
     if (done != 0) helped_.fetch_add(done, std::memory_order_acq_rel);
   }

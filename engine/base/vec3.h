@@ -4,7 +4,7 @@
 
 namespace furnas {
 
-/// Three components of a vector. `R` is a real number, or lanes of them.
+/// Three components of a vector. `R` is a real number, or lanes of real numbers.
 template <class R>
 struct Vec3 {
   R x{}, y{}, z{};
@@ -37,7 +37,7 @@ R norm(const Vec3<R>& a) {
   return sqrt(dot(a, a));
 }
 
-/// Whether all components are numbers.
+/// Whether all components are finite.
 inline bool finite(const Vec3<double>& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -7,7 +7,8 @@
 namespace furnas {
 namespace {
 
-/// Contacts that count: above a share of the mean normal force of their kind (sizes of the two particles).
+/// Contacts that count: their normal force exceeds a share of the mean normal force of their kind
+/// (large-large, large-small, small-small).
 std::vector<const StaticContact*> counting(const ContactNetwork& network, const std::vector<Species>& species,
                                            double share) {
   const auto kind = [&](const StaticContact& c) {
@@ -22,7 +23,8 @@ std::vector<const StaticContact*> counting(const ContactNetwork& network, const 
   return all;
 }
 
-/// Offsets of particles against each other in whole cells, joined contact by contact.
+/// A union-find structure that also holds the offsets of particles against each other in whole cells.
+/// Particles are joined contact by contact.
 class Pieces {
  public:
   using Cells = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -100,7 +102,7 @@ Percolation percolation(const Backbone& backbone) {
   Pieces pieces(backbone.contains.size());
   for (const StaticContact* c : backbone.bonds) pieces.join(c->i, c->j, cells_of(*c));
 
-  // A walk along bonds that comes back to its piece in another cell has crossed the packing.
+  // A path along bonds that returns to its first particle in another cell has crossed the packing.
   std::vector<Eigen::Matrix3d> crossings(backbone.contains.size(), Eigen::Matrix3d::Zero());
   for (const StaticContact* c : backbone.bonds) {
     const auto [root, of_i] = pieces.find(c->i);

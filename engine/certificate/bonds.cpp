@@ -49,7 +49,7 @@ std::vector<Bond> bonds_of(const ContactNetwork& network, const Backbone& backbo
 std::vector<Bridge> bridges_of(const std::vector<Bond>& bonds, Index per_particle, Index unknowns) {
   std::vector<Bridge> bridges;
   if (per_particle == 3) return bridges;
-  // Points of contact, from the centre.
+  // Contact points of each particle, relative to its centre.
   std::vector<std::vector<Vector3d>> points(static_cast<std::size_t>(unknowns / per_particle));
   for (const Bond& b : bonds) {
     points[static_cast<std::size_t>(b.i / per_particle)].emplace_back(-b.arm_i * b.normal);

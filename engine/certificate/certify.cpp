@@ -14,13 +14,14 @@
 namespace furnas {
 namespace {
 
-/// A fixed cell may hold any pressure that is one.
+/// In a fixed cell every positive pressure is accepted; smaller values than this count as zero.
 constexpr double least_pressure = 1e-12;
 
 double real(std::int64_t count) { return static_cast<double>(count); }
 
-/// What carries: every overlap is a spring, however weak. Without friction a sphere is held by four, which
-/// must enclose it; with friction by two that stick.
+/// The rule of the backbone: every overlap counts as a spring, however weak. Without friction at least four
+/// contacts are needed to hold a sphere, and they must enclose it. With friction two sticking contacts are
+/// enough.
 CoreRule core_rule(const Springs& springs) {
   return {.force_share = 0, .least_contacts = springs.friction() > 0 ? 2 : 4, .by_constraints = true};
 }
@@ -50,7 +51,7 @@ Part backbone_part(const ContactNetwork& network, const std::vector<Species>& sp
   return part;
 }
 
-/// Says how closely they balance in `balance`, too.
+/// Checks the force balance; also sets `balance`.
 Part balance_part(const ContactNetwork& network, const Backbone& backbone, const CertificateTerms& terms,
                   Balance& balance) {
   const Imbalance found = imbalance(network, backbone);
@@ -161,7 +162,7 @@ Part stability_part(const Modes& modes, std::size_t shown, std::int64_t sliding)
   return part;
 }
 
-/// The particles that hold most of the kinetic energy of a motion, and their share of it.
+/// Text that names the particles with most of the kinetic energy of a motion, and their share of this energy.
 std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const Backbone& backbone) {
   const Eigen::VectorXd energy = motion.inertia().cwiseProduct(z.cwiseAbs2());
   const Eigen::Index each = motion.per_particle();
@@ -178,8 +179,8 @@ std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const B
   return std::to_string(std::lround(100 * share)) + " % of its energy is in the particles " + ids;
 }
 
-/// `in_the_run`: with contacts that do not feel the cell's flow, where those of the run do not. Where
-/// forces do not balance, the packing still moves; growth is then shown and not judged.
+/// `in_the_run`: growth with the contacts of the run, given only if these do not feel the cell's flow. If the
+/// forces do not balance, the packing still moves; growth is then reported but not judged.
 Part growth_part(const SmallMotion& motion, const Growth& growth, const std::optional<Growth>& in_the_run,
                  const Backbone& backbone, Balance balance) {
   const bool judged = balance != Balance::off;
@@ -228,7 +229,7 @@ Part moduli_part(const Moduli& moduli, CellFreedom freedom) {
   part.asks = "Does the packing resist a small compression and small shears?";
   part.findings = {at_least("bulk modulus K [k_n/d_s]", moduli.bulk, flat_mode)};
   const auto shear = [&](const char* name, double value) {
-    // A cell that cannot shear need not resist it.
+    // If the cell cannot shear, the packing need not resist shear.
     part.findings.push_back(freedom == CellFreedom::triclinic ? at_least(name, value, flat_mode)
                                                               : told(name, value));
   };
@@ -258,7 +259,8 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   const Stiffness stiffness(network, backbone, static_stress(network).trace() / 3);
   const Modes modes = find_modes(stiffness, terms.cell.freedom, terms.eigenvalues);
   const Moduli moduli = moduli_of(modes.relaxed / network.volume);
-  // As a material: what the cell's flow does to contacts that do not feel it is no property of the packing.
+  // The stability of the packing as a material is computed with contacts that feel the cell's flow. The
+  // effect of contacts that do not feel it is no property of the packing.
   CellMotion felt = terms.cell;
   felt.affine_velocity = true;
   const SmallMotion small(network, backbone, felt);

@@ -14,9 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr Index held = 3;  // the translation of the first particle
+constexpr Index held = 3;  // unknowns that are fixed: the displacement of the first particle
 
-/// Takes the mean displacement out.
+/// Subtracts the mean displacement.
 MatrixXd without_translation(MatrixXd motion, Index per_particle) {
   const Index count = motion.rows() / per_particle;
   for (Index column = 0; column < motion.cols(); ++column) {
@@ -28,11 +28,11 @@ MatrixXd without_translation(MatrixXd motion, Index per_particle) {
 
 }  // namespace
 
-/// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T. Where CHOLMOD meets a pivot that is not
-/// positive, that unknown gets a spring of 1 k_n, a hold, and the factorization begins again. With B B^T the
-/// sum of the holds, the matrix A has as many negative eigenvalues as the small matrix 1 - B^T (A + B B^T)^-1
-/// B (Haynsworth's inertia additivity), and Woodbury's identity gives the inverse of A from that of A + B
-/// B^T. With more than a few holds, L D L^T by Eigen.
+/// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T. If CHOLMOD meets a pivot that is not
+/// positive, a spring of 1 k_n, called a hold, is added to this unknown, and the factorization begins again.
+/// Let B B^T be the sum of the holds. Then the matrix A has as many negative eigenvalues as the small matrix
+/// 1 - B^T (A + B B^T)^-1 B (Haynsworth's inertia additivity), and Woodbury's identity gives the inverse of A
+/// from that of A + B B^T. If more than a few holds are needed, Eigen factors A as L D L^T.
 class Compliance::Factor {
  public:
   explicit Factor(Sparse matrix) {
@@ -69,7 +69,7 @@ class Compliance::Factor {
  private:
   static constexpr std::size_t most_held = 4;
 
-  /// That tells where it stopped.
+  /// A Cholesky factorization that also reports the column at which it stopped.
   struct Cholesky : Eigen::CholmodSupernodalLLT<Sparse> {
     Index stopped_at() const {
       return static_cast<const int*>(m_cholmodFactor->Perm)[m_cholmodFactor->minor];
@@ -88,8 +88,8 @@ class Compliance::Factor {
   }
 
   Cholesky definite_;
-  std::vector<Index> held_;  // unknowns; one that is held twice stands here twice
-  MatrixXd answers_;         // of all unknowns to a force on each hold
+  std::vector<Index> held_;  // unknowns with a hold; one with two holds is listed twice
+  MatrixXd answers_;         // displacements of all unknowns by a force on each hold
   MatrixXd rest_;            // 1 - B^T (A + B B^T)^-1 B
   std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> indefinite_;
 };

@@ -8,33 +8,33 @@
 
 namespace furnas {
 
-/// The inverse of the stiffness on all motions of a packing that are no mere translation, and the number of
-/// its negative eigenvalues; an operator for Spectra.
+/// The inverse of the stiffness on all motions of a packing except translations, and the number of negative
+/// eigenvalues of the stiffness. Serves as an operator for the library Spectra.
 ///
-/// One particle is held, which takes the translations out and changes no sign. The matrix of the others is
-/// factored by CHOLMOD (L L^T); the strains follow by their Schur complement, the inverse of which is what a
-/// strain costs when the particles have followed. A Cholesky factor that exists proves that no eigenvalue is
-/// negative. Where CHOLMOD meets a pivot that is not positive, that unknown is held by an added spring and
-/// the factorization restarted; negative eigenvalues are then counted from a small dense matrix (Haynsworth's
-/// inertia additivity), and the added springs are taken out of the inverse again (Woodbury's identity). When
-/// more than four such springs are needed, the negative eigenvalues are counted by the signs of the pivots of
-/// L D L^T instead (Sylvester's law of inertia).
+/// One particle is fixed. This removes the translations and changes no sign of an eigenvalue. The matrix of
+/// the other particles is factored by CHOLMOD (L L^T). The strains are eliminated by their Schur complement:
+/// the stiffness against a strain when the particles have relaxed. A Cholesky factor that exists proves that
+/// no eigenvalue is negative. If CHOLMOD meets a pivot that is not positive, a spring is added to the unknown
+/// of this pivot, and the factorization is restarted. Negative eigenvalues are then counted from a small
+/// dense matrix (Haynsworth's inertia additivity), and the added springs are removed from the inverse
+/// (Woodbury's identity). When more than four such springs are needed, the negative eigenvalues are counted
+/// by the signs of the pivots of L D L^T instead (Sylvester's law of inertia).
 class Compliance {
  public:
   using Scalar = double;
 
-  /// `strains`: its columns are the strains that the cell is free to make, in the units in which they enter.
-  /// `stiffness` must live as long, and have at least two particles.
+  /// `strains`: its columns are the strains that the cell is free to make, in the units of the unknowns.
+  /// `stiffness` must outlive the object and have at least two particles.
   Compliance(const Stiffness& stiffness, Eigen::MatrixXd strains);
   ~Compliance();
 
-  /// Whether the stiffness could be factored. Nothing else means anything otherwise.
+  /// Whether the stiffness could be factored. If not, the other results have no meaning.
   bool valid() const { return valid_; }
 
-  /// Negative eigenvalues, of the particles and the free strains.
+  /// Number of negative eigenvalues of the stiffness of particles and free strains.
   Eigen::Index negative() const { return negative_; }
 
-  /// What all six strains cost when the particles follow in balance [k_n d_s^2].
+  /// Stiffness against the six strains when the particles relax to balance [k_n d_s^2].
   const StrainMatrix& relaxed() const { return relaxed_; }
 
   Eigen::Index rows() const;
@@ -50,8 +50,8 @@ class Compliance {
   Eigen::Index per_particle_;
   Eigen::MatrixXd strains_;
   std::unique_ptr<Factor> factor_;
-  Eigen::MatrixXd answer_;  // of the particles to each free strain
-  Eigen::MatrixXd schur_;   // the inverse of what the free strains cost
+  Eigen::MatrixXd answer_;  // displacement of the particles by each free strain
+  Eigen::MatrixXd schur_;   // inverse stiffness of the free strains
   StrainMatrix relaxed_ = StrainMatrix::Zero();
   Eigen::Index negative_ = 0;
   bool valid_ = false;

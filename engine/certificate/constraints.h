@@ -7,17 +7,18 @@
 
 namespace furnas {
 
-/// Maxwell's count: what the contacts hold, and what there is to be held.
+/// Maxwell's count: constraints by the contacts, and degrees of freedom.
 struct ConstraintCount {
-  std::int64_t constraints{};  ///< force components that the contacts can choose
-  std::int64_t needed{};       ///< freedoms of the backbone and its cell, or more in a fixed cell
+  std::int64_t constraints{};  ///< independent force components of all contacts
+  std::int64_t needed{};       ///< degrees of freedom of backbone and cell; one more in a fixed cell
 };
 
-/// A contact without friction holds the distance: 1; one that sticks holds three components: 3; one that
-/// slides has its |F_t| given by F_n, but not its direction: 2 (Shundyak, van Hecke, van Saarloos, Phys. Rev.
-/// E 75, 010301 (2007)). A particle has 3 freedoms, 6 with friction; the packing as a whole may be anywhere:
-/// -3; the cell adds its free strains, and if it has none the contacts must carry their load among
-/// themselves: +1.
+/// Constraints: a contact without friction fixes one component, the distance: 1. A sticking contact fixes
+/// three components: 3. In a sliding contact F_n determines |F_t| but not its direction: 2 (Shundyak, van
+/// Hecke, van Saarloos, Phys. Rev. E 75, 010301 (2007)). Degrees of freedom: 3 per particle, 6 with friction;
+/// minus 3 for the translations of the whole packing; with friction minus 1 for the free spin of each bridge
+/// (bonds.h); plus the free strains of the cell. A fixed cell has no free strain; then +1, because the
+/// contacts need one state of self-stress to carry a load.
 ConstraintCount count_constraints(const ContactNetwork& network, const Backbone& backbone,
                                   CellFreedom freedom);
 

@@ -19,7 +19,8 @@ class RecordedContacts {
     std::sort(entries_.begin(), entries_.end());
   }
 
-  /// The listed contact of this overlap, and whether it is listed the other way round; null if there is none.
+  /// The listed contact of this overlap, and whether it is listed with i and j exchanged; null if it is not
+  /// listed.
   std::pair<const Contact*, bool> find(const Overlap& o) const {
     const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax(o.i, o.j);
     const double near = 1e-6 * norm(o.branch);

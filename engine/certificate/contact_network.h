@@ -9,8 +9,7 @@
 
 namespace furnas {
 
-/// What holds two spheres in contact at rest. The law is asked for its stiffness alone; forces are not taken
-/// from it but worked out here.
+/// The springs of contacts at rest. Only the stiffness is taken from the law; forces are computed here.
 struct Springs {
   AnyLaw law = Frictionless<false>{};
   double at_limit = 1e-3;  ///< a contact slides when |F_t| reaches (1 - at_limit) mu F_n
@@ -19,7 +18,7 @@ struct Springs {
   double friction() const { return has_friction(law) ? constants_of(law).friction : 0; }
 };
 
-/// A contact at rest: what it is and what it exerts without any motion.
+/// A contact at rest: its geometry, and its forces without any motion.
 struct StaticContact {
   std::uint32_t i{}, j{};
   std::array<std::int64_t, 3> cells{};  ///< as in Overlap
@@ -34,12 +33,12 @@ struct StaticContact {
   double tangential_damping{};          ///< m_eff gamma_t [k_n time]
   Vec3<double> tangential_force;        ///< F_t = -k_t xi, on i [k_n d_s]
   bool sliding{};                       ///< at the Coulomb limit
-  bool known{};                         ///< the packing's list has it, with its history
+  bool known{};                         ///< the contact is in the packing's list, with its history
 
   Vec3<double> force() const { return normal_force * normal + tangential_force; }  ///< on i [k_n d_s]
 };
 
-/// The contacts of a packing as its positions, radii, cell and histories make them. Nothing else of the
+/// The contacts of a packing, computed from its positions, radii, cell and histories. Nothing else of the
 /// packing is read: no force, no branch, no velocity, no sum of the run.
 struct ContactNetwork {
   Springs springs;
@@ -49,7 +48,7 @@ struct ContactNetwork {
   std::vector<StaticContact> contacts;
   double mean_force{};         ///< mean |F| of all contacts; 0 without any [k_n d_s]
   double mean_normal_force{};  ///< [k_n d_s]
-  std::int64_t unlisted{};     ///< contacts that the packing's list does not have
+  std::int64_t unlisted{};     ///< contacts that are missing in the packing's list
   std::int64_t open{};         ///< contacts of the packing's list whose spheres do not overlap
 
   bool frictional() const { return springs.friction() > 0; }

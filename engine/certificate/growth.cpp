@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-/// A motion that grows more slowly is taken for none [1/time].
+/// Slower growth counts as none [1/time].
 constexpr double least_rate = 1e-6;
 
 /// M lambda^2 + C lambda + K.
@@ -32,19 +32,19 @@ Eigen::SparseMatrix<Number> at(const SmallMotion& motion, Number lambda) {
   return sum;
 }
 
-/// L U of such a matrix, by UMFPACK.
+/// Factors L U of this matrix, by UMFPACK.
 template <class Number>
 class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
  public:
   using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
   Factor(const SmallMotion& motion, Number lambda) : matrix_(at(motion, lambda)) {
-    this->umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // the pattern is
+    this->umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // of the pattern
     this->compute(matrix_);
   }
   bool valid() const { return this->info() == Eigen::Success; }
   Vector solve(const Vector& b) const { return solved(UMFPACK_A, b); }
-  /// With the transposed, conjugated matrix.
+  /// Solves with the transposed, conjugated matrix.
   Vector solve_adjoint(const Vector& b) const { return solved(UMFPACK_At, b); }
 
  private:
@@ -58,8 +58,9 @@ class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
   Eigen::SparseMatrix<Number> matrix_;
 };
 
-/// (A - sigma)^-1 on motions and their rates, x' = A x, without a motion of the whole. A motion counts by the
-/// root of its inertia, a rate by that over sigma, so that neither drowns the other.
+/// (A - sigma)^-1 acting on motions and their rates, x' = A x, without translations of the whole packing.
+/// Motions are multiplied by the root of the inertia, and rates by the root of the inertia divided by sigma.
+/// Both then have similar sizes.
 class Shifted {
  public:
   Shifted(const SmallMotion& motion, double sigma)
@@ -77,7 +78,7 @@ class Shifted {
     out << root_.cwiseProduct(z), root_.cwiseProduct(a + sigma_ * z) / sigma_;
     return out;
   }
-  /// The displacements of such a vector.
+  /// The displacements in such a vector.
   VectorXcd displacements(const VectorXcd& x) const {
     return x.head(motion_.unknowns()).cwiseQuotient(root_);
   }
@@ -102,7 +103,7 @@ struct Ritz {
   VectorXcd motion;
 };
 
-/// Eigenvalues near sigma and to the right, from a space of `size` vectors.
+/// Eigenvalues near sigma, and with a real part above `above`, from a Krylov space of `size` vectors.
 std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, double above, bool& valid) {
   const Shifted apply(motion, sigma);
   valid = apply.valid();
@@ -141,7 +142,7 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
   return found;
 }
 
-/// All eigenvalues to the right of `above` of few unknowns.
+/// All eigenvalues with a real part above `above`, for few unknowns.
 std::vector<Ritz> dense(const SmallMotion& motion, double above) {
   const Index n = motion.unknowns();
   MatrixXd a = MatrixXd::Zero(2 * n, 2 * n);
@@ -149,7 +150,7 @@ std::vector<Ritz> dense(const SmallMotion& motion, double above) {
   const VectorXd faster = -motion.inertia().cwiseInverse();
   a.bottomLeftCorner(n, n) = faster.asDiagonal() * MatrixXd(motion.stiffness());
   a.bottomRightCorner(n, n) = faster.asDiagonal() * MatrixXd(motion.damping());
-  // A motion of the whole, which keeps its speed, is stopped.
+  // Removes translations of the whole packing, which keep their speed.
   for (Index k = 0; k < 2 * n; ++k)
     for (Index half : {Index{0}, n}) motion.hold_centre(a.col(k).segment(half, n));
   const Eigen::EigenSolver<MatrixXd> spectrum(a);
@@ -162,8 +163,8 @@ std::vector<Ritz> dense(const SmallMotion& motion, double above) {
   return found;
 }
 
-/// Iterates an eigenvalue and its two vectors with itself as the shift until it is exact, and puts it in
-/// doubt.
+/// Refines an eigenvalue and its left and right eigenvectors by inverse iteration, with the eigenvalue itself
+/// as the shift. Then computes the doubt of the eigenvalue.
 template <class Number>
 bool refine(const SmallMotion& motion, GrowingMode& mode) {
   using Vector = typename Factor<Number>::Vector;
@@ -184,7 +185,7 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
   Vector left = right;
   constexpr int most = 6;
   for (int round = 0; round < most; ++round) {
-    // A hair beside it, so that the factor exists.
+    // The shift is slightly beside the eigenvalue, so that the factorization exists.
     const Factor<Number> factor(motion, lambda * (1 + 1e-7));
     if (!factor.valid()) return false;
     const auto slope = [&](const Vector& v) -> Vector {
@@ -197,7 +198,8 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
     for (int twice = 0; twice < 2; ++twice) {
       right = factor.solve(slope(right));
       left = factor.solve_adjoint(slope_adjoint(left));
-      // A motion of the whole is an eigenvector of 0, and no other lambda has a part of it in either.
+      // Translations of the whole packing are eigenvectors of 0. Eigenvectors of any other lambda contain no
+      // translation.
       motion.hold_centre(right);
       motion.hold_centre(left);
       right.normalize();
@@ -214,7 +216,7 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
     if (std::abs(lambda - before) > 1e-9 * std::abs(lambda)) continue;
     mode.lambda = lambda;
     mode.motion = right.template cast<Complex>();
-    const double flat = flat_mode;  // what rounding may have made of a stiffness of 0
+    const double flat = flat_mode;  // a stiffness of 0 after rounding
     mode.doubt = (motion.doubt(left.template cast<Complex>(), mode.motion) + flat) /
                  std::abs(left.dot(Vector(2.0 * lambda * m + c)));
     return std::isfinite(mode.doubt);
@@ -222,8 +224,9 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
   return false;
 }
 
-/// Follows a motion that grows without swinging until each contact at its limit slides or sticks as the
-/// motion itself has it: then it is a motion of the packing, whichever way contacts may go.
+/// Makes a mode of growth without oscillation consistent with Coulomb's law. Lets each contact at the limit
+/// slide or stick as the motion of the mode requires, computes the mode again, and repeats this until no
+/// contact changes. The result is a real motion of the packing. `way` is 1 or -1, the sign of the motion.
 std::optional<GrowingMode> as_contacts_go(const SmallMotion& motion, const GrowingMode& mode, double way) {
   SmallMotion now = motion;
   GrowingMode found = mode;

@@ -9,41 +9,44 @@
 
 namespace furnas {
 
-/// A motion z e^(lambda t) of a backbone and its cell.
+/// A small motion z e^(lambda t) of a backbone and its cell.
 struct GrowingMode {
-  std::complex<double> lambda;  ///< its real part is the rate, the other the angular frequency [1/time]
-  double doubt{};               ///< of lambda, for want of balance [1/time]
+  std::complex<double> lambda;  ///< real part: rate of growth; imaginary part: angular frequency [1/time]
+  double doubt{};               ///< uncertainty of lambda because the forces do not balance exactly [1/time]
   double residual{};            ///< |M lambda^2 z + C lambda z + K z|, |z| = 1 [k_n]
   Eigen::VectorXcd motion;      ///< z, of length 1
 
   double rate() const { return lambda.real(); }
-  /// Whether it grows, and by more than it is in doubt.
+  /// Whether the motion grows, with a rate above its doubt.
   bool grows() const { return rate() > doubt; }
 };
 
-/// With more unknowns the factors would take more than some minutes: nothing is looked for.
+/// With more unknowns than this find_growth() does not search, because the factorizations would take more
+/// than a few minutes.
 inline constexpr Eigen::Index most_unknowns = 50'000;
 
-/// What was found of the motions that grow.
+/// The growing motions that were found.
 struct Growth {
-  bool asked{};                    ///< there were not too many unknowns
+  bool asked{};                    ///< the search was made: there were not too many unknowns
   bool valid{};                    ///< the equations of motion could be solved
-  std::vector<GrowingMode> modes;  ///< the fastest that grow, were contacts to slide both ways; at most 12
-  /// The mode in which each contact at its limit slides or sticks as the motion of the mode asks.
+  std::vector<GrowingMode> modes;  ///< the fastest, if contacts could slide both ways; at most 12
+  /// A growing mode that is consistent: each contact at the Coulomb limit slides or sticks as the motion of
+  /// the mode itself requires.
   std::optional<GrowingMode> certain;
 
-  /// Of the former the fastest that is not in doubt; null if there is none.
+  /// The fastest of `modes` whose growth exceeds its doubt; null if there is none.
   const GrowingMode* fastest() const;
 };
 
-/// The motions of a backbone that grow: eigenvalues lambda of M lambda^2 + C lambda + K with a positive real
-/// part.
+/// Finds the growing motions of a backbone: eigenvalues lambda of M lambda^2 + C lambda + K with a positive
+/// real part.
 ///
-/// Few unknowns: all of them, from a dense matrix. Many: Arnoldi's method on (A - sigma)^-1, x' = A x, for
-/// each of several real shifts sigma, from a random motion; M sigma^2 + C sigma + K is factored once each
-/// (UMFPACK). The method finds eigenvalues near sigma first, and those far to the right. A mode that grows is
-/// then refined with its own lambda as the shift, and so is its left eigenvector, from which its doubt
-/// follows.
+/// With few unknowns all eigenvalues are computed from a dense matrix. With many unknowns the equations are
+/// written as x' = A x, and Arnoldi's method is applied to (A - sigma)^-1 for each of several real shifts
+/// sigma, starting from a random motion. For each sigma M sigma^2 + C sigma + K is factored once (UMFPACK).
+/// The method first finds the eigenvalues near sigma and those with a large real part. Each growing mode and
+/// its left eigenvector are then refined with the mode's own lambda as the shift. The doubt follows from both
+/// eigenvectors.
 Growth find_growth(const SmallMotion& motion);
 
 }  // namespace furnas

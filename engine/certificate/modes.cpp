@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Below this number of unknowns every eigenvalue is computed at once.
+/// Up to this number of unknowns all eigenvalues are computed, from a dense matrix.
 constexpr Index few = 60;
 
 Stiffness::Motion motion_of(const VectorXd& v, Index particles, const MatrixXd& strains) {
@@ -29,7 +29,8 @@ VectorXd times(const Stiffness& stiffness, const MatrixXd& strains, const Vector
   return all;
 }
 
-/// The spectrum of a few particles, from the dense matrix; translations are moved out of the way.
+/// The spectrum of a few particles, from the dense matrix. A stiffness added to the translations moves their
+/// eigenvalues to the upper end of the spectrum.
 Modes all_modes(const Stiffness& stiffness, const MatrixXd& strains, int count, MatrixXd& vectors) {
   const Index particles = stiffness.unknowns();
   const Index size = particles + strains.cols();
@@ -64,7 +65,8 @@ Modes softest_modes(const Stiffness& stiffness, const MatrixXd& strains, int cou
   modes.negative = compliance.negative();
   modes.relaxed = compliance.relaxed();
   const Index largest_basis = compliance.rows() - 3;
-  // Of those below zero each is looked at, for whether it is in doubt. The nearest to zero come first.
+  // All negative eigenvalues are wanted, because the doubt of each is needed. The solver finds those nearest
+  // to zero first.
   constexpr Index most = 400;
   const Index wanted = std::max<Index>(count, std::min<Index>(count + 2 * modes.negative, most));
   const Index shown = std::min<Index>(wanted, largest_basis - 1);

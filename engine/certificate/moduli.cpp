@@ -12,8 +12,8 @@ Moduli moduli_of(const StrainMatrix& c) {
   Moduli moduli;
   moduli.bulk = (lengths + 2 * across) / 9;
   moduli.shear = (lengths - across + 3 * tilts) / 15;
-  // Tilts are twice the shears of the strain tensor; so weighed (Kelvin), constants do not depend on the
-  // axes.
+  // Tilts of the cell are twice the shear components of the strain tensor. With these weights (Kelvin's
+  // notation) the eigenvalues do not depend on the choice of axes.
   Strain weight;
   weight << 1, 1, 1, std::sqrt(2), std::sqrt(2), std::sqrt(2);
   const StrainMatrix kelvin = weight.asDiagonal() * c * weight.asDiagonal();

@@ -11,7 +11,7 @@ using Cells = std::array<std::int64_t, 3>;
 
 std::array<double, 3> components(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Radii within a factor of two lie in one grid.
+/// The number of the grid for spheres of this radius: radii between successive powers of 2 share a grid.
 int octave(double radius) { return std::ilogb(radius); }
 
 /// The particles of one octave in the bins of a grid that fills the cell.
@@ -20,7 +20,7 @@ class Grid {
   Grid(const Packing& p, const std::vector<std::uint32_t>& members) {
     for (const std::uint32_t k : members) largest_ = std::max(largest_, p.radius[k]);
     const auto height = components(heights(p.cell.edges));
-    // With more bins than particles most bins would be empty, and visited for nothing.
+    // Limits the number of bins, because with more bins than particles most would be empty.
     const double most = std::floor(std::cbrt(static_cast<double>(members.size()))) + 1;
     for (std::size_t a = 0; a < 3; ++a) {
       height_[a] = height[a];
@@ -40,7 +40,7 @@ class Grid {
   template <class Meet>
   void around(const Vec3<double>& fraction, double radius, Meet&& meet) const {
     const auto s = components(fraction);
-    const double reach = (radius + largest_) * (1 + 1e-12);  // rounding must lose none
+    const double reach = (radius + largest_) * (1 + 1e-12);  // margin for rounding: no particle may be missed
     Cells low, high;
     for (std::size_t a = 0; a < 3; ++a) {
       low[a] = bin(a, s[a] - reach / height_[a]);
@@ -84,11 +84,12 @@ std::vector<Overlap> find_overlaps(const Packing& p) {
     const Grid grid(p, smaller);
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const int own = octave(p.radius[i]);
-      if (own < size) continue;  // the smaller one is looked for by the larger one
+      if (own < size) continue;  // the search from the larger sphere finds this pair
       const Vec3<double> s = in_unit_cell(p.fraction[i]);
       grid.around(s, p.radius[i], [&, size = size](std::uint32_t j, const Cells& cells) {
         if (own == size && (j > i || (j == i && cells <= Cells{}))) return;
-        // The integers carry the nearest difference exactly; the image is that plus whole cells.
+        // The integer fractions give the difference to the nearest image exactly; whole cells are added for
+        // the wanted image.
         const Vec3<double> t = in_unit_cell(p.fraction[j]);
         Vec3<double> d = nearest_difference(p.fraction[i], p.fraction[j]);
         d.x += std::round(s.x - t.x - static_cast<double>(cells[0]) - d.x);

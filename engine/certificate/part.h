@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// One number of a certificate, and the limit it must keep if it has one.
+/// One number of a certificate, with its limit if it has one.
 struct Finding {
   enum class Bound { none, at_most, at_least };
 
@@ -17,7 +17,7 @@ struct Finding {
   Bound bound = Bound::none;
   double limit{};
 
-  /// A value that is no number holds no limit.
+  /// Whether the value is within its limit; NaN never is.
   bool holds() const {
     return bound == Bound::none || (bound == Bound::at_most ? value <= limit : value >= limit);
   }
@@ -33,17 +33,17 @@ inline Finding at_least(std::string name, double value, double limit) {
 
 /// What a part that passes proves about the packing.
 enum class Proves {
-  necessary,   ///< a jammed packing must pass; one that passes may still not be jammed
-  sufficient,  ///< with the balance of forces, it is stable against all small motions, to first order
+  necessary,   ///< every jammed packing passes; a packing that passes need not be jammed
+  sufficient,  ///< if the forces balance, the packing is stable against all small motions, to first order
 };
 
-/// One question of a certificate and its answer.
+/// One part of a certificate: a question, and the numbers that answer it.
 struct Part {
   std::string name;
   std::string asks;  ///< the question, in a sentence
   Proves proves = Proves::necessary;
   std::vector<Finding> findings;
-  std::string note;  ///< what a reader should know besides; may be empty
+  std::string note;  ///< a remark for the reader; may be empty
 
   bool passed() const {
     return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.holds(); });

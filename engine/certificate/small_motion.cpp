@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// What a strain of the cell is driven by when a force acts over a branch: branch_b force_a for e_ab.
+/// The generalized force on the strain e_ab of the cell when a force acts over a branch: branch_b force_a.
 Eigen::Matrix<double, 6, 3> driven_by(const Vector3d& branch, bool legacy) {
   Eigen::Matrix<double, 6, 3> driven = affine(branch).transpose();
   if (!legacy) return driven;
@@ -26,7 +26,7 @@ Eigen::Matrix<double, 6, 3> driven_by(const Vector3d& branch, bool legacy) {
   return driven;
 }
 
-/// The same when the branch changes and the force stays.
+/// The change of this generalized force when the branch changes and the force stays.
 Eigen::Matrix<double, 6, 3> driven_over(const Vector3d& force, bool legacy) {
   Eigen::Matrix<double, 6, 3> driven;
   driven.topRows<3>() = force.asDiagonal();
@@ -35,7 +35,8 @@ Eigen::Matrix<double, 6, 3> driven_over(const Vector3d& force, bool legacy) {
   return driven;
 }
 
-/// Adds a bond's matrix to those of all unknowns; the strains as the cell makes them.
+/// Assembles the matrix of all unknowns from the matrices of the bonds, with the strains that the cell is
+/// free to make.
 class Assembly {
  public:
   Assembly(Index particles, Index per_particle, const MatrixXd& strains)
@@ -147,7 +148,7 @@ void SmallMotion::assemble() {
   damping_ = c.matrix();
 }
 
-/// What a change of the force on i does to all of the bond's unknowns.
+/// Generalized forces on all unknowns of the bond by a change of the force on i.
 BondMatrix SmallMotion::pull_back(const Bond& b, const BondRows& force) const {
   BondMatrix all = BondMatrix::Zero();
   all.middleRows<3>(0) = force;
@@ -160,7 +161,7 @@ BondMatrix SmallMotion::pull_back(const Bond& b, const BondRows& force) const {
   return all;
 }
 
-/// The motion that springs and dashpots of the contact answer to.
+/// The relative displacement that the springs and dashpots of the contact feel.
 BondRows SmallMotion::seen(const Bond& b) const {
   BondRows moved = moved_of(b.branch);
   if (!cell_.affine_velocity) moved.rightCols<6>().setZero();
@@ -173,8 +174,9 @@ BondRows SmallMotion::slip(const Bond& b) const {
          crossing(b.normal) * (b.arm_i * turn_of(0, b.radius_i) + b.arm_j * turn_of(1, b.radius_j));
 }
 
-/// F_t of a spring, or of a dashpot, that answers to slip, when F_n changes by - `normal` times the motion.
-/// Where the contact slides F_t keeps to the Coulomb limit: along its direction it follows F_n.
+/// Change of F_t by a tangential spring or dashpot of strength `tangential`, while F_n changes by -`normal`
+/// times the motion. If the contact slides, F_t stays at the Coulomb limit: its component along its direction
+/// is mu F_n.
 BondRows SmallMotion::cut(const Bond& b, const BondRow& normal, double tangential) const {
   const BondRows along_slip = slip(b);
   return -tangential * (along_slip - b.sliding * (b.sliding.transpose() * along_slip)) -
@@ -206,7 +208,7 @@ BondMatrix SmallMotion::prestress(const Bond& b, double push, const Vector3d& fr
     force += 0.5 * b.normal.cross(friction) *
              (b.normal.transpose() * (turn_of(0, b.radius_i) + turn_of(1, b.radius_j)));
   BondMatrix all = pull_back(b, force);
-  // The same forces over branches and lever arms that have changed.
+  // The forces stay; the branches and lever arms change.
   all.bottomRows<6>() += driven_over(whole, cell_.legacy) * moved;
   if (per_particle_ == 3) return -all;
   const BondRows lengthening = (arms_meet_ ? 0.5 : 0) * b.normal.cross(friction) * stretch;
@@ -237,7 +239,8 @@ VectorXd SmallMotion::loading(const VectorXd& motion, double lambda) const {
     const double tangential = b.tangential_stiffness + lambda * b.tangential_damping;
     const double of_limit = b.normal_stiffness * b.normal.dot(moved_of(b.branch) * z) +
                             lambda * b.normal_damping * b.normal.dot(seen(b) * z);
-    // A slip against the direction of F_t stretches the spring, a step away makes the limit smaller.
+    // Slip against the direction of F_t stretches the spring. Separation of the spheres lowers the limit mu
+    // F_n.
     if (!limit_[n].isZero())
       loading[static_cast<Index>(n)] = friction_ * of_limit - tangential * limit_[n].dot(slip(b) * z);
   }

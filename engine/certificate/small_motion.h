@@ -9,13 +9,13 @@
 
 namespace furnas {
 
-/// What presses the cell, and how the cell moves (docs/reference/notation.md).
+/// The bath that presses the cell, and the constants of the cell's motion (docs/reference/notation.md).
 struct CellMotion {
   CellFreedom freedom = CellFreedom::triclinic;
   double pressure = 1e-4;        ///< p_a; without meaning in a fixed cell [k_n/d_s]
   double inertia = 1;            ///< W [rho d_s^5]
   double drag = 0;               ///< g [1/time]
-  bool affine_velocity = false;  ///< contacts feel the cell's flow, too
+  bool affine_velocity = false;  ///< relative velocities in contacts include the cell's flow
   bool legacy = false;           ///< shears are driven by branch_a force_b, a < b, as LAMMPS does
 };
 
@@ -23,14 +23,15 @@ struct CellMotion {
 ///
 ///     M z'' + C z' + K z = 0
 ///
-/// with the contacts as they are, those that slide sliding on and the others sticking
-/// (docs/theory/certificate.md derives them). A tangential force that slides follows the normal force,
-/// damping included, so that neither C nor K is symmetric. The tangential spring of a contact is no unknown
-/// of its own: to first order xi is what u, theta and, if contacts feel the cell's flow, e have made of it.
+/// The set of contacts is fixed: contacts that slide continue to slide, and the others stick
+/// (docs/theory/certificate.md derives the equations). In a sliding contact |F_t| is mu F_n, including the
+/// damping part of F_n; therefore neither C nor K is symmetric. The tangential spring of a contact is no
+/// unknown of its own: to first order its displacement xi follows from u, theta and, if contacts feel the
+/// cell's flow, e.
 ///
-/// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
-/// Unknowns of the cell stand last: the strains that it is free to make, in units of the displacement that a
-/// strain adds to all particles together. The spin of a bridge is held with 1 k_n and critical damping.
+/// Unknowns of a particle: its displacement u relative to the strained cell and, with friction, R times its
+/// rotation. The unknowns of the cell come last: the strains that it is free to make, each times
+/// displacement_of_strain(). The spin of a bridge (bonds.h) gets a spring of 1 k_n and critical damping.
 class SmallMotion {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
@@ -40,33 +41,33 @@ class SmallMotion {
   Eigen::Index unknowns() const { return inertia_.size(); }
   Eigen::Index per_particle() const { return per_particle_; }  ///< 3 without friction, 6 with
   Eigen::Index particles() const { return particles_; }        ///< of the backbone
-  /// Strains of which one unit adds a displacement of 1 d_s, squared and summed over the backbone, as
-  /// columns.
+  /// The free strains as columns. One unit of each displaces the backbone such that the squared displacements
+  /// of its particles sum to 1 d_s^2.
   const Eigen::MatrixXd& strains() const { return strains_; }
 
   const Eigen::VectorXd& inertia() const { return inertia_; }  ///< the diagonal of M [rho d_s^3]
   const Sparse& damping() const { return damping_; }           ///< C [k_n time]
   const Sparse& stiffness() const { return stiffness_; }       ///< K [k_n]
 
-  /// Takes out of a motion what moves the backbone as a whole.
+  /// Removes from a motion the translation of the backbone as a whole.
   void hold_centre(Eigen::Ref<Eigen::VectorXcd> motion) const;
   void hold_centre(Eigen::Ref<Eigen::VectorXd> motion) const;
 
-  /// Whether a contact is at the Coulomb limit.
+  /// Whether any contact slides.
   bool slides() const;
 
-  /// By how much, in a motion z e^(lambda t) with a real lambda, spring and dashpot of each contact at the
-  /// Coulomb limit outgrow it: where that is positive the contact slides on, where it is negative it sticks;
-  /// 0 of a contact below the limit [k_n d_s].
+  /// The loading of each contact in a motion z e^(lambda t) with a real lambda: the growth of |F_t| of its
+  /// spring and dashpot minus the growth of mu F_n [k_n d_s]. A contact at the Coulomb limit continues to
+  /// slide if its loading is positive, and sticks if it is negative. For a contact below the limit the
+  /// loading is 0.
   Eigen::VectorXd loading(const Eigen::VectorXd& motion, double lambda) const;
 
-  /// The same packing with those contacts at the limit sliding whose loading is positive, the others
-  /// sticking.
+  /// The same packing, where contacts at the limit slide if their loading is positive, and all others stick.
   SmallMotion sliding_where(const Eigen::VectorXd& loading) const;
 
-  /// How much the product left . K right is in doubt, because spheres are not quite in balance: what the
-  /// turning of forces makes of it, were the force of each contact another by as much as its two spheres
-  /// lack [k_n].
+  /// Uncertainty of the product left . K right because the spheres are not exactly in balance [k_n]. It is
+  /// the change of the prestress part of K if the force of each contact changes by the net forces of its two
+  /// spheres.
   double doubt(const Eigen::VectorXcd& left, const Eigen::VectorXcd& right) const;
 
  private:
@@ -88,7 +89,7 @@ class SmallMotion {
   double volume_;
   double friction_;
   bool arms_meet_;
-  bool twists_;  // friction turns with the spheres about the normal
+  bool twists_;  // F_t turns with the spheres about the normal
   Eigen::MatrixXd strains_;
   Eigen::VectorXd inertia_;
   Sparse damping_, stiffness_;

@@ -8,19 +8,19 @@
 
 namespace furnas {
 
-/// What the contacts at rest leave on a particle.
+/// Net force and torque of the contacts at rest on a particle.
 struct Residual {
   Vec3<double> force;   ///< net force [k_n d_s]
   Vec3<double> torque;  ///< net torque [k_n d_s^2]
 };
 
-/// Of each particle.
+/// The residual of each particle.
 std::vector<Residual> residuals(const ContactNetwork& network);
 
-/// How far a backbone is from rest, by its static forces alone. The load of a particle is the mean |F| of all
-/// contacts, or p pi R^2, what the pressure presses on its cross-section, if that is more: two large spheres
-/// press on each other (R/R_s)^2 times harder than small ones do, and rest as well if they rest in
-/// proportion.
+/// How far a backbone is from rest, by its static forces alone. The load of a particle is the larger of the
+/// mean |F| of all contacts and p pi R^2, the force of the pressure on its cross-section. The load takes into
+/// account that contact forces between large spheres are (R/R_s)^2 times those between small ones, so their
+/// net forces may be larger in proportion.
 struct Imbalance {
   double mean_force{};      ///< |net force| of a member/mean |F| of all contacts
   double mean_torque{};     ///< |net torque|/(mean |F| R)
@@ -33,9 +33,9 @@ Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone);
 /// Sum of branch (x) force over the contacts, over V; positive in compression [k_n/d_s].
 Eigen::Matrix3d static_stress(const ContactNetwork& network);
 
-/// How the bonds of a backbone stand to the Coulomb limit.
+/// The bonds of a backbone compared with the Coulomb limit.
 struct FrictionState {
-  double largest_excess{};  ///< largest |F_t| - mu F_n, over mu mean F_n; negative when all are below
+  double largest_excess{};  ///< largest (|F_t| - mu F_n)/(mu mean F_n); negative if all are below the limit
   double least_normal{};    ///< smallest F_n/mean F_n
   std::int64_t sliding{};   ///< bonds at the limit
 };

@@ -40,13 +40,13 @@ BondMatrix Stiffness::prestress(const Bond& b, double push, const Vector3d& fric
   BondMatrix k = -push * b.branch.norm() * tilt.transpose() * tilt;
   if (per_particle_ == 3) return k;
 
-  // Friction turns with the normal and with the spheres about it, and so do its torques.
+  // F_t turns with the normal, and with the spheres about the normal; so do its torques.
   const BondRows turn_i = turn_of(0, b.radius_i);
   const BondRows turn_j = turn_of(1, b.radius_j);
   const BondRow stretch = b.normal.transpose() * moved;
   const BondRow twist = 0.5 * b.normal.transpose() * (turn_i + turn_j);
   const Vector3d couple = b.normal.cross(friction);
-  const double lengthening = arms_meet_ ? 0.5 : 0;  // of an arm with the distance
+  const double lengthening = arms_meet_ ? 0.5 : 0;  // change of a lever arm per change of the distance
   const BondRows arms = b.arm_i * turn_i + b.arm_j * turn_j;
   const BondMatrix turned =
       tilt.transpose() * friction * stretch - twist.transpose() * couple.transpose() * moved +

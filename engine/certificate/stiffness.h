@@ -13,41 +13,43 @@
 
 namespace furnas {
 
-/// Second derivatives of the enthalpy U + p V of a backbone whose contacts are springs: what forces answer to
-/// small displacements (docs/theory/certificate.md derives it).
+/// Second derivatives of the enthalpy U + p V of a backbone whose contacts are springs: the change of forces
+/// by small displacements (docs/theory/certificate.md derives it).
 ///
-/// Unknowns of a particle: its displacement u besides the cell's strain and, with friction, R times its turn.
-/// A contact holds its two spheres with its normal stiffness along the normal and with k_t across it, if it
-/// slides only across its friction; and its forces turn with it, the prestress. Of that part friction makes
-/// unsymmetric, the symmetric half is taken: it alone enters the second-order work.
+/// Unknowns of a particle: its displacement u relative to the strained cell and, with friction, R times its
+/// rotation. A contact acts with its normal stiffness along the normal and with k_t in the two tangential
+/// directions; a sliding contact only in the tangential direction perpendicular to F_t. In addition the
+/// contact's forces turn with the contact: the prestress. With friction the prestress part is not symmetric.
+/// Only its symmetric part is used, because only this part enters the second-order work.
 ///
-/// A particle that bridges two others, with two contacts, may spin about the line through its contact points:
-/// nothing moves and no force changes. That spin is held with 1 k_n, so that it is no soft motion.
+/// A bridge (bonds.h) can spin about the line through its two contact points without changing a force. A
+/// spring of 1 k_n is added to this spin, so that the spin is no soft mode.
 class Stiffness {
  public:
   Stiffness(const ContactNetwork& network, const Backbone& backbone, double pressure);
 
-  /// Unknowns of all particles, and of one: 3 without friction, 6 with.
+  /// Number of unknowns of all particles, and of one particle: 3 without friction, 6 with.
   Eigen::Index unknowns() const { return unknowns_; }
   Eigen::Index per_particle() const { return per_particle_; }
   double volume() const { return volume_; }  ///< [d_s^3]
-  /// Particles whose spin is held.
+  /// Number of bridges, whose spin has an added spring.
   std::int64_t bridges() const { return std::ssize(bridges_); }
 
   struct Motion {
-    Eigen::VectorXd particles;  ///< u and R theta of each particle [d_s]; forces, when it is an answer
-    Strain strain;              ///< e; the work conjugate of e, when it is an answer [k_n d_s^2]
+    Eigen::VectorXd particles;  ///< u and R theta of each particle [d_s]; forces, in a result of times()
+    Strain strain;              ///< e; in a result of times() the force conjugate to e [k_n d_s^2]
   };
 
-  /// Stiffness times motion, contact by contact, without a matrix.
+  /// The product of stiffness and motion, summed over the contacts without a matrix.
   Motion times(const Motion& motion) const;
 
-  /// How far the energy of a motion is in doubt, because its spheres are not quite in balance: what the
-  /// prestress makes of it, were the force of each contact another by as much as its two spheres lack
-  /// [k_n d_s^2].
+  /// Uncertainty of the energy of a motion because the spheres are not exactly in balance [k_n d_s^2]. It is
+  /// the change of the prestress part if the force of each contact changes by the net forces of its two
+  /// spheres.
   double doubt(const Motion& motion) const;
 
-  /// The same as matrices: lower triangle among particles, particles by strain, strain by strain.
+  /// The stiffness as matrices: particles by particles (lower triangle), particles by strain, strain by
+  /// strain.
   Eigen::SparseMatrix<double> among_particles() const;
   Eigen::MatrixXd particles_by_strain() const;
   StrainMatrix among_strains() const;

@@ -39,9 +39,10 @@ const RestReport& RestWatch::look(Observation& now) {
   return report_;
 }
 
-/// Draws the conclusions from the looks.
+/// Decides from the looks whether the packing rests.
 void RestWatch::judge() {
-  // Over ten windows the cell's own swing counts less, over one the past is forgotten sooner.
+  // Over ten windows oscillations of the cell contribute less to the drift; over one window earlier motion is
+  // forgotten sooner. The smaller drift counts.
   report_.strain_drift = std::min(drift_over(looks), drift_over(patience));
   const bool steady = criteria_.kinetic_energy_alone || report_.strain_drift < criteria_.strain_drift;
   const bool tightly = steady && all_hold(&Look::holds, looks + 1);

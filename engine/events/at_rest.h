@@ -10,48 +10,51 @@
 
 namespace furnas {
 
-/// When a packing counts as jammed: all of it, at every look of a window.
+/// When a packing counts as jammed: all criteria must hold at every look of a window. A look is one
+/// evaluation of the criteria; a window has ten looks.
 struct RestCriteria {
-  bool kinetic_energy_alone = false;  ///< the study's own rule: all particles, and nothing else
+  bool kinetic_energy_alone = false;  ///< the rule of the study: only the kinetic energy, of all particles
   double stress_error = 1e-3;         ///< largest |P_aa - p_a|/p_a and |P_ab|/p_a
   double force_imbalance = 1e-4;      ///< mean |net force| on the backbone/mean contact force
-  double loose_imbalance = 1e-3;      ///< accepted, and named, when it has held for ten windows
+  double loose_imbalance = 1e-3;      ///< also accepted, as loose, if met for ten windows
   double kinetic_energy = 1e-11;      ///< per backbone particle [k_n d_s^2]
   double strain_drift = 1e-6;         ///< of the cell, per drift_time
-  double largest_overlap = 0.5;       ///< of the smaller radius; beyond, the law means nothing
+  double largest_overlap = 0.5;       ///< of the smaller radius; beyond it the contact law is not valid
   double window = 200;                ///< [t_c]
-  /// Motion is taken out once balance and drift are within so many times their limits,
+  /// All motion is taken out (engine/events/quench.h) when balance and drift are within this multiple of
+  /// their limits.
   double stilling = 100;
-  /// and the energy within so many times its own (engine/events/quench.h).
+  /// For this the energy must also be within this multiple of its limit.
   double stilling_energy = 1e4;
-  /// unless the backbone's energy grows by more than this factor in half a window.
+  /// No motion is taken out if the backbone's energy grows by more than this factor in half a window.
   double growth = 1.15;
-  /// A run that is not at rest ends as settled once phi can change by less (engine/events/settle.h); 0:
-  /// never.
+  /// A run that does not come to rest ends as settled once the bound on the further change of phi
+  /// (engine/events/settle.h) is below this value; 0: never.
   double phi_error = 0;
 };
 
-/// The time over which a drift is counted [t_c].
+/// The unit of time of the strain drift [t_c].
 inline constexpr double drift_time = 2000;
 
-/// The criteria as they stand; infinite before the first look.
+/// The present values of the criteria; infinite before the first look.
 struct RestReport {
   static constexpr double unknown = std::numeric_limits<double>::infinity();
 
-  std::int64_t backbone{};  ///< particles in it; nothing rests without one
+  std::int64_t backbone{};  ///< particles in it
   double stress_error = unknown;
   double force_imbalance = unknown;
   double kinetic_energy = unknown;  ///< [k_n d_s^2]
-  double strain_drift = unknown;    ///< per drift_time, over one window or ten; infinite until one is full
-  bool resting{};                   ///< all held at every look of the window
-  bool loosely{};                   ///< resting, but with the loose limit of the force balance
-  std::string waiting_for;          ///< the criterion that is furthest from its limit; empty when resting
+  double strain_drift = unknown;  ///< per drift_time, over one or ten windows; infinite before a full window
+  bool resting{};                 ///< all criteria were met at every look of the window
+  bool loosely{};                 ///< resting, but only with the loose limit of the force balance
+  std::string waiting_for;        ///< the criterion that is furthest from its limit; empty when resting
 };
 
-/// Largest |P_aa - p_a|/p_a and |P_ab|/p_a among the stresses that the cell can answer to.
+/// Largest |P_aa - p_a|/p_a and |P_ab|/p_a among the stress components that can strain the cell.
 double stress_error(const Measures& measures, const Barostat& barostat);
 
-/// Keeps the looks of the last window and judges them. Shared by the events that wait for rest.
+/// Keeps the looks of the last ten windows and decides from them whether the packing rests. Shared by the
+/// events that wait for rest.
 class RestWatch {
  public:
   RestWatch(const RestCriteria& criteria, const Rhythm& rhythm)
@@ -59,30 +62,30 @@ class RestWatch {
         period_(rhythm.steps(criteria.window / looks)),
         drift_steps_(static_cast<double>(rhythm.steps(drift_time))) {}
 
-  /// What is kept of a look.
+  /// What is stored of a look.
   struct Look {
     std::int64_t step{};
     Triangle edges;        ///< [d_s]
-    bool holds{};          ///< all criteria held, save the drift
-    bool holds_loosely{};  ///< with the loose limit of the force balance
+    bool holds{};          ///< all criteria were met, apart from the drift
+    bool holds_loosely{};  ///< the same with the loose limit of the force balance
   };
 
-  /// Steps between two looks, and those that a full window spans.
+  /// Steps between two looks, and steps in a full window.
   std::int64_t period() const { return period_; }
   std::int64_t window_length() const { return looks * period(); }
 
-  /// Takes a look, once a step.
+  /// Evaluates the criteria, at most once a step.
   const RestReport& look(Observation& now);
   const RestReport& report() const { return report_; }
   const RestCriteria& criteria() const { return criteria_; }
 
-  /// Forgets the window, because the pressure has changed.
+  /// Forgets all looks, because the pressure has changed.
   void restart() { window_.clear(); }
 
-  /// What must return when a run goes on: the looks kept so far, oldest first, and what the last one saw.
+  /// What a resumed run needs: the looks kept so far, oldest first, and the values at the last look.
   struct Saved {
     std::deque<Look> window;
-    std::int64_t backbone{};  ///< this and the rest as in RestReport
+    std::int64_t backbone{};  ///< this and the following values as in RestReport
     double stress_error = RestReport::unknown;
     double force_imbalance = RestReport::unknown;
     double kinetic_energy = RestReport::unknown;  ///< [k_n d_s^2]
@@ -112,7 +115,8 @@ struct RestingState {
   std::int64_t step{};
 };
 
-/// When the packing rests and pressures are left, records its state and turns to the bath of the next one.
+/// When the packing rests and further pressures follow, records the resting state and sets the bath of the
+/// next pressure.
 class NextPressure final : public Event {
  public:
   NextPressure(RestWatch& watch, std::vector<Barostat> baths, std::vector<RestingState>& reached)

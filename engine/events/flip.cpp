@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-constexpr double farthest_tilt = 0.55;  // above 1/2, so that a cell does not flip to and fro
+constexpr double farthest_tilt = 0.55;  // above 1/2, so that a cell does not flip back and forth
 
 }  // namespace
 

@@ -4,12 +4,12 @@
 
 namespace furnas {
 
-/// Replaces tilted edges of the cell by the shortest equivalent ones, once a tilt exceeds half its edge
-/// with a margin. The lattice, and so every contact, force and history, stays the same: only the
-/// names of images change, exactly, in integers. Returns whether anything changed.
+/// Replaces tilted edges of the cell by the shortest equivalent ones, once a tilt exceeds 0.55 of its edge.
+/// The lattice, and so every contact, force and history, stays the same: only the numbers of the images
+/// change, which are integers and therefore exact. Returns whether anything changed.
 bool flip_cell(Packing& packing);
 
-/// Looks at the tilt of the cell from time to time and flips it.
+/// Checks the tilt of the cell at fixed intervals and flips the cell if needed.
 class Flip final : public Event {
  public:
   explicit Flip(std::int64_t period) : period_(period) {}
@@ -21,7 +21,7 @@ class Flip final : public Event {
   std::string saved() override { return std::to_string(count_); }
   void restore(const std::string& saved) override { count_ = saved_count(saved); }
 
-  /// How often it has happened since the run began.
+  /// How often the cell has been flipped since the run began.
   std::int64_t count() const { return count_; }
 
  private:

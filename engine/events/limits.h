@@ -6,7 +6,7 @@
 
 namespace furnas {
 
-/// Ends the run when its steps are spent.
+/// Ends the run at its last allowed step.
 class Budget final : public Event {
  public:
   explicit Budget(std::int64_t last_step) : last_step_(last_step) {}
@@ -18,7 +18,7 @@ class Budget final : public Event {
   std::int64_t last_step_;
 };
 
-/// Ends the run when `stop` is set, from a signal or a limit on the wall clock.
+/// Ends the run when a signal or a limit on the wall time has set `stop`.
 class Interrupted final : public Event {
  public:
   explicit Interrupted(const std::atomic<bool>& stop) : stop_(stop) {}

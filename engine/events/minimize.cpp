@@ -11,10 +11,10 @@
 namespace furnas {
 namespace {
 
-/// Whether the packing stands by its contacts, near the bath's stress, and hardly moves.
+/// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy.
 bool has_found_its_basin(const RestReport& r, const Measures& m) {
   constexpr double stress_error = 0.05;
-  constexpr double motion = 0.05;  // kinetic energy over that of the contacts
+  constexpr double motion = 0.05;  // kinetic energy/energy of the contacts
   return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal;
 }
 
@@ -23,7 +23,7 @@ bool is_balanced(const RestReport& r, const RestCriteria& c) {
          r.force_imbalance < c.force_imbalance;
 }
 
-/// Evaluations that take a second or two of one core, within bounds.
+/// Number of evaluations that take one or two seconds on one core, within bounds.
 std::int64_t evaluations_for(std::size_t particles) {
   return std::clamp<std::int64_t>(20'000'000 / static_cast<std::int64_t>(particles), 1000, 10'000);
 }

@@ -4,23 +4,24 @@
 
 namespace furnas {
 
-/// Without friction, puts a packing that has found its basin into the minimum of the enthalpy there
-/// (engine/minimize), which steps approach slowly: soft modes of many spheres die out over 1e5 steps and
-/// more.
+/// For packings without friction: once the packing has found its basin of the enthalpy, moves it to the
+/// minimum of the basin (engine/minimize). Time steps approach this minimum slowly, because soft modes of
+/// many spheres die out over 1e5 steps and more.
 ///
-/// The basin is found when the packing carries the pressure with contacts that hold and its motion is small
-/// against the energy of its contacts; before, the motion still compacts the packing. Then all motion is
-/// taken out and forces are balanced to a part in 1e8. A search has many calls with a step between them, so
-/// that the run may be saved and stopped; the energy that goes is booked as quenched, the work of the bath as
-/// that of the cell. The verdict is left to the steps that follow: all criteria must hold over a window of
-/// them.
+/// The basin counts as found when the packing has a backbone, its stress is within 5 % of the bath's, and its
+/// kinetic energy is below 5 % of the energy of its contacts. Earlier the motion still compacts the packing.
+/// The search takes out all motion and balances the forces to a part in 1e8. It is divided into many calls
+/// with one time step between them, so that the run can be saved and stopped. The ledger books the energy
+/// that is removed as quenched, and the work of the bath as cell work. The search gives no verdict: all
+/// criteria must hold over a window of the following steps.
 ///
-/// A search that has found no minimum after 50 000 evaluations is in a long flat valley, where time steps
-/// descend as fast: the packing is left to the steps for five windows.
+/// A search that has found no minimum after 50 000 evaluations is in a long flat valley of the enthalpy,
+/// where time steps descend as fast. Then no search is made for five windows.
 class Minimize final : public Event {
  public:
-  /// `evaluations` at most in one call, between which a run may be saved and stopped; 0: a second or two of
-  /// them, but for large packings enough to be worth the beginning.
+  /// `evaluations`: largest number of evaluations in one call; between calls the run can be saved and
+  /// stopped. 0: as many as take one or two seconds, but at least 1000, so that the start of a search is
+  /// worthwhile in large packings.
   explicit Minimize(RestWatch& watch, std::int64_t evaluations = 0)
       : watch_(watch), in_a_call_(evaluations) {}
   const char* name() const override { return "minimize"; }
@@ -39,9 +40,9 @@ class Minimize final : public Event {
   std::int64_t in_a_call_;
   std::int64_t evaluations_ = 0;
   bool searching_ = false;
-  double pressure_ = 0;          ///< of the bath when last asked; the following are since it is so [k_n/d_s]
-  std::int64_t spent_ = 0;       ///< evaluations of the search that is on
-  std::int64_t not_before_ = 0;  ///< step from which on the next one may begin
+  double pressure_ = 0;          ///< of the bath at the last due(); a change resets what follows [k_n/d_s]
+  std::int64_t spent_ = 0;       ///< evaluations of the present search
+  std::int64_t not_before_ = 0;  ///< first step at which the next search may begin
 };
 
 }  // namespace furnas

@@ -37,11 +37,12 @@ Monitor::Momentum Monitor::momentum_of(Observation& now) {
   return m;
 }
 
-/// Contacts conserve it; the strain of the cell changes it in proportion, rounding a little. A step rounds a
-/// velocity about ten times. A particle that hardly changes is rounded the same way again and again, but one
-/// has nothing to do with the next: so the steps add up, and the particles as chance has it.
+/// Contacts conserve the momentum. The strain of the cell changes the momentum in proportion to it, and
+/// rounding changes it a little. A step rounds each velocity about ten times. The rounding errors of one
+/// particle may have the same sign in many steps, so errors are taken to grow in proportion to the number of
+/// steps. The errors of different particles are independent, so they add up like random numbers.
 std::string Monitor::momentum_fault(Observation& now) {
-  constexpr double roundings = 32;  // of a velocity or a sum of forces in a step, and as much again to spare
+  constexpr double roundings = 32;  // of a velocity or a force sum in a step, with a safety margin
   const Momentum here = momentum_of(now);
   std::string fault;
   if (last_ && last_->replaced == here.replaced) {

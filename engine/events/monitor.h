@@ -7,8 +7,9 @@
 
 namespace furnas {
 
-/// Watches what must hold in every run: faults of the packing (engine/monitor/faults.h), the momentum, the
-/// balance of the energy, and that the neighbour list has missed no contact. Ends the run with a sentence.
+/// Checks conditions that every run must meet: no faults of the packing (engine/monitor/faults.h), conserved
+/// momentum, balanced energy, and a neighbour list that misses no contact. If a check fails, ends the run
+/// with a sentence that describes the fault.
 class Monitor final : public Event {
  public:
   const char* name() const override { return "monitor"; }
@@ -19,13 +20,13 @@ class Monitor final : public Event {
   void restore(const std::string& saved) override;
 
  private:
-  /// What the momentum is compared with.
+  /// The momentum at one check, for comparison with the next check.
   struct Momentum {
     Vec3<double> sum;         ///< sum m v [rho d_s^4/time]
-    double spread{};          ///< root of sum (m v)^2, the momentum that chance would leave
+    double spread{};          ///< root of sum (m v)^2, the momentum of random velocities
     Triangle edges;           ///< of the cell [d_s]
-    std::int64_t step{};      ///< when it was taken
-    std::int64_t replaced{};  ///< how often an event had changed the packing
+    std::int64_t step{};      ///< of the check
+    std::int64_t replaced{};  ///< how often events had changed the packing
   };
   static Momentum momentum_of(Observation& now);
   std::string momentum_fault(Observation& now);
@@ -34,7 +35,7 @@ class Monitor final : public Event {
   std::string sentence_;
 };
 
-/// Largest gap in the balance of the energy, over the energy that went through.
+/// Largest allowed gap in the energy balance, as a share of the energy turnover (Ledger::relative_gap).
 inline constexpr double largest_energy_gap = 0.1;
 
 }  // namespace furnas

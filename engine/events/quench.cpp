@@ -9,12 +9,13 @@
 namespace furnas {
 namespace {
 
-constexpr std::size_t looks_judged = 10;  // those of a window
+constexpr std::size_t looks_judged = 10;  // the looks of one window
 
 }  // namespace
 
-/// Whether the geometric mean of the later five energies is well above that of the earlier five. Knocks of
-/// rattlers scatter by more than a slow growth, but a growth that lasts is seen at one of the next windows.
+/// Whether the geometric mean of the last five energies exceeds that of the first five by more than
+/// criteria.growth. Impacts of rattlers make the energies scatter by more than a slow growth within one
+/// window, but a lasting growth is detected in one of the next windows.
 bool Quench::growing() const {
   const auto half = static_cast<std::ptrdiff_t>(looks_judged / 2);
   const auto sum_of_logarithms = [](auto first, auto last) {
@@ -28,7 +29,7 @@ bool Quench::growing() const {
 }
 
 bool Quench::due(Observation& now) {
-  constexpr double slowly = 100, of_stress = 10;  // times the limits; the cell follows the stress at once
+  constexpr double slowly = 100, of_stress = 10;  // times the limits; the cell quickly relaxes the stress
   constexpr std::int64_t patience = 50;           // [windows]
   if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
     pressure_ = pressure;
@@ -47,7 +48,7 @@ bool Quench::due(Observation& now) {
   slow_windows_ = slow ? slow_windows_ + 1 : std::max<std::int64_t>(slow_windows_ - 1, 0);
   const bool near = pressed && r.force_imbalance < c.stilling * c.force_imbalance &&
                     r.strain_drift < c.stilling * c.strain_drift;
-  // What moves though forces balance is felt by no contact: a bridge that spins.
+  // If the forces balance, no contact feels the motion that is left, for example the spin of a bridge.
   const bool unfelt = r.stress_error < c.stress_error && r.force_imbalance < c.force_imbalance;
   const bool cold = r.kinetic_energy < c.stilling_energy * c.kinetic_energy;
   const bool still = near && (cold || unfelt);
@@ -80,7 +81,8 @@ void Quench::restore(const std::string& saved) {
 }
 
 std::optional<Verdict> Quench::fire(Observation& now) {
-  // What the step has kept of the motion, its stress and half a step of its losses, acts once more.
+  // The kinetic part of the stress and half of the last losses belong to the motion before the quench. They
+  // still enter the next step.
   now.stop_all_motion();
   energies_.clear();
   ++count_;

@@ -6,18 +6,20 @@
 
 namespace furnas {
 
-/// Takes out all motion, of the particles and of the cell, at the end of a window in which the packing is
-/// nearly at rest and its backbone does not gain speed: when balance and drift are within criteria.stilling
-/// times their limits, and the stress within 10 times its own; or when stress and energy have been for fifty
-/// windows though the forces never balance and the cell creeps.
+/// Takes out all motion of the particles and of the cell. This happens at the end of a window in which the
+/// backbone did not gain speed, if one of two conditions is met. The first: balance and drift are within
+/// criteria.stilling times their limits, the stress is within 10 times its limit, and either the energy is
+/// within criteria.stilling_energy times its limit or stress and balance are within their own limits. The
+/// second: for fifty windows the stress has been within 10 times and the energy within 100 times its limit,
+/// although the forces never balance and the cell creeps.
 ///
-/// The motion that is left then is motion that no law damps: rattlers that knock at a backbone long settled,
-/// a sphere that spins about its contact normal or, on two contacts, about the line through them, soft modes
-/// of many spheres without friction. A quench changes no position and no force, only the time until forces
-/// balance; docs/developer/decisions/quench.md has the measurement.
+/// The contact law damps the remaining motion little or not at all: rattlers that hit a backbone at rest,
+/// spheres that spin about the normal of a single contact or about the line through two contacts, and soft
+/// modes of many spheres without friction. A quench changes no position and no force, only the time until the
+/// forces balance; docs/developer/decisions/quench.md has the measurement.
 ///
-/// A backbone whose kinetic energy grows from look to look is unstable, and on its way to where it can rest:
-/// a quench would only put that off.
+/// If the kinetic energy of the backbone grows from look to look, the backbone is unstable and moves to
+/// another state of rest. A quench would only delay this motion.
 class Quench final : public Event {
  public:
   explicit Quench(RestWatch& watch) : watch_(watch) {}
@@ -29,10 +31,11 @@ class Quench final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
-  /// Whether the backbone gained no speed in the last whole window; asked after due(), at its end.
+  /// Whether the backbone gained no speed in the last full window. Valid after due() at the end of the
+  /// window.
   bool steady() const { return steady_; }
 
-  /// How often it has happened since the run began.
+  /// How often motion has been taken out since the run began.
   std::int64_t count() const { return count_; }
 
  private:
@@ -41,11 +44,11 @@ class Quench final : public Event {
   RestWatch& watch_;
   bool steady_ = false;
   std::int64_t count_ = 0;
-  double pressure_ = 0;  ///< of the bath when last asked; the following are since it is so [k_n/d_s]
+  double pressure_ = 0;  ///< of the bath at the last due(); a change resets what follows [k_n/d_s]
   std::int64_t slow_windows_ =
-      0;  ///< windows that ended with stress and energy near their limits, less those that did not
+      0;  ///< windows that ended with stress and energy near their limits, minus the other windows
   std::deque<double>
-      energies_;  ///< of the backbone at the looks since the last quench, ten at most [k_n d_s^2]
+      energies_;  ///< kinetic energy at the looks since the last quench, at most ten [k_n d_s^2]
 };
 
 }  // namespace furnas

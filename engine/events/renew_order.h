@@ -4,9 +4,9 @@
 
 namespace furnas {
 
-/// Puts the particles in memory along a space-filling curve again, so that neighbours in space stay
-/// neighbours in memory. At fixed steps, because sums follow the order in memory: it is part of the
-/// result's bits, the neighbour list is not.
+/// Sorts the particles in memory along a space-filling curve again, so that neighbours in space stay
+/// neighbours in memory. The event happens at fixed steps, because the order of particles determines the
+/// order of sums and with it the bits of the result. The neighbour list has no effect on the bits.
 class RenewOrder final : public Event {
  public:
   explicit RenewOrder(std::int64_t period) : period_(period) {}

@@ -6,13 +6,14 @@
 
 namespace furnas {
 
-/// How many steps a time takes. Events act at times, so that no verdict depends on how long a step is.
+/// Converts times to numbers of steps. Events happen at fixed times, so that no verdict depends on the length
+/// of a step.
 class Rhythm {
  public:
   /// `time_step` in collision times [t_c].
   explicit Rhythm(double time_step) : time_step_(time_step) {}
 
-  /// Steps in a time [t_c], at least one.
+  /// Number of steps in a time [t_c], at least one.
   std::int64_t steps(double time) const { return std::max<std::int64_t>(std::llround(time / time_step_), 1); }
 
  private:

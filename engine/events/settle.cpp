@@ -15,9 +15,9 @@ PhiRecord::Span joined(const PhiRecord::Span& a, const PhiRecord::Span& b) {
           std::max(a.stress_error, b.stress_error)};
 }
 
-/// How far phi would move if the stress took the value of the bath.
+/// Change of phi if the stress took the value of the bath.
 double change_by_stress(const Measures& m, double stress_error) {
-  constexpr double softer = 3;  // than if all contacts followed the cell's strain
+  constexpr double softer = 3;  // times softer than if all contacts followed the cell's strain
   return softer * 3 * m.phi * m.unloading_strain * stress_error;
 }
 
@@ -45,7 +45,7 @@ PhiRecord::Span PhiRecord::since(std::int64_t step) const {
 }
 
 void Settle::record(const Observation& now, const RestReport& r, double phi) {
-  constexpr double carries = 0.1, has_lost_it = 0.5;  // deviation of the stress from the bath's, over p_a
+  constexpr double carries = 0.1, has_lost_it = 0.5;  // stress errors, as in RestReport
   if (past_.empty()) {
     if (r.backbone == 0 || !(r.stress_error < carries)) return;
     loaded_at_ = now.step();
@@ -57,7 +57,7 @@ void Settle::record(const Observation& now, const RestReport& r, double phi) {
 }
 
 bool Settle::is_near_rest(const RestReport& r) const {
-  constexpr double of_stress = 10, of_balance = 100, of_energy = 100;  // times the limits
+  constexpr double of_stress = 10, of_balance = 100, of_energy = 100;  // multiples of the limits
   const RestCriteria& c = watch_.criteria();
   return r.backbone > 0 && r.stress_error < of_stress * c.stress_error &&
          r.force_imbalance < of_balance * c.force_imbalance &&

@@ -8,22 +8,23 @@
 
 namespace furnas {
 
-/// phi and stress of a run's past, in at most 64 spans of as many looks each.
+/// History of phi and stress in a run: at most 64 spans, each of the same number of looks. A look is one
+/// evaluation of the criteria of rest (engine/events/at_rest.h).
 class PhiRecord {
  public:
-  /// What was seen over some time.
+  /// The looks of one interval of time.
   struct Span {
     std::int64_t looks{};
-    std::int64_t end{};     ///< step of the last one
+    std::int64_t end{};     ///< step of the last look
     double low{}, high{};   ///< smallest and largest phi
-    double stress_error{};  ///< the largest
+    double stress_error{};  ///< largest stress error
   };
 
   void add(std::int64_t step, double phi, double stress_error);
   void clear() { spans_.clear(); }
   bool empty() const { return spans_.empty(); }
 
-  /// All that was seen after a step, and in the rest of the span that it lies in.
+  /// The looks after a step, joined into one span. It includes all of the span in which the step lies.
   Span since(std::int64_t step) const;
 
   const std::vector<Span>& spans() const { return spans_; }
@@ -35,22 +36,23 @@ class PhiRecord {
   std::vector<Span> spans_;  // oldest first
 };
 
-/// Ends the run as settled when what phi may still change is bounded below criteria.phi_error.
+/// Ends the run as settled when a bound on the further change of phi is below criteria.phi_error.
 ///
-/// The bound is asked for at the ends of windows in which the packing is nearly at rest (stress within 10
+/// The bound is computed at the end of each window in which the packing is nearly at rest (stress within 10
 /// times its limit, balance and energy within 100 times theirs) and its backbone does not gain speed. The
-/// bound is the sum of
-///   - creep and avalanches: five times the range of phi over the later half of the time since the packing
-///     first carried the pressure. Creep slows down with its age: what goes as the logarithm of time moves
-///     phi by as much in each doubling of the age, and few runs last five doublings more;
-///   - the stress that is still wrong: the change of phi that would put it right if every contact followed
-///     the strain of the cell, times 3, because in a disordered packing they do not.
-/// The first is an estimate from experience, no proof: docs/developer/decisions/phi-with-a-bound.md counts
-/// how often it held.
+/// bound is the sum of two parts:
+///   - creep and avalanches: five times the range of phi over the later half of the age, the time since the
+///     packing first carried the pressure. Creep slows down with the age: if phi changes as the logarithm of
+///     time, it changes by the same amount in each doubling of the age, and few runs last five more
+///     doublings;
+///   - the remaining error of the stress: the change of phi that would correct it if every contact followed
+///     the strain of the cell, times 3, because in a disordered packing contacts do not follow it.
+/// The first part is an empirical estimate, no proof: docs/developer/decisions/phi-with-a-bound.md counts how
+/// often it was correct.
 class Settle final : public Event {
  public:
-  /// `quench` comes before it in the order of events. `least_age`: steps under pressure before a bound means
-  /// anything.
+  /// `quench` must come before this event in the order of events. `least_age`: steps under pressure below
+  /// which no bound is given.
   Settle(RestWatch& watch, const Quench& quench, std::int64_t least_age)
       : watch_(watch), quench_(quench), least_age_(least_age) {}
   const char* name() const override { return "settle"; }
@@ -61,8 +63,8 @@ class Settle final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
-  /// Bound on what phi may still change, as of the last end of a window; infinite unless the packing was
-  /// near rest there.
+  /// Bound on the further change of phi at the end of the last window; infinite unless the packing was then
+  /// near rest.
   double bound() const { return bound_; }
 
  private:
@@ -73,7 +75,7 @@ class Settle final : public Event {
   const Quench& quench_;
   std::int64_t least_age_;
   PhiRecord past_;              ///< since the packing first carried the pressure
-  std::int64_t loaded_at_ = 0;  ///< step at which it did
+  std::int64_t loaded_at_ = 0;  ///< step at which the packing first carried the pressure
   double bound_ = RestReport::unknown;
 };
 

@@ -14,9 +14,9 @@
 
 namespace furnas {
 
-/// The flow graph knows when the turn of a phase has come; the threads of the workers run it. Tasks of oneTBB
-/// would not do: its threads are those that share the loops inside the phases, and these stay awake for
-/// loops.
+/// The flow graph determines when a phase is due; the threads of the Workers run it. Tasks of oneTBB cannot
+/// be used for this, because all threads of oneTBB already poll for loops inside the phases
+/// (engine/base/team.h).
 struct StepGraph::Flow {
   using Message = tbb::flow::continue_msg;
 
@@ -43,13 +43,13 @@ struct StepGraph::Flow {
   void run_from(Job* turn);
   static Job* share_out();
 
-  /// Phases whose turn has come by what this thread has done last.
+  /// Phases that became due by the last work of this thread.
   static thread_local JobQueue due;
 
   tbb::flow::graph graph;
   std::vector<std::unique_ptr<Turn>> turns;
   std::vector<Turn*> roots;
-  std::atomic<std::size_t> open{0};  ///< phases whose turn has come and that are not done
+  std::atomic<std::size_t> open{0};  ///< phases that are due and not yet done
   std::atomic<bool> failed{false};
   std::exception_ptr failure;  ///< of the first phase that failed
 };
@@ -58,8 +58,8 @@ thread_local JobQueue StepGraph::Flow::due;
 
 StepGraph::Flow::Flow(const std::vector<Phase>& phases) {
   for (const Phase& phase : phases) turns.push_back(std::make_unique<Turn>(*this, phase));
-  // How many phases must follow one after the other. Of phases whose turn comes together the one with most is
-  // the first, with which the thread goes on that is there already.
+  // Length of the longest chain of phases that must follow each phase. Of the phases that become due
+  // together, the one with the longest chain comes first; the present thread continues with this phase.
   std::vector<std::size_t> follow(phases.size(), 0);
   for (std::size_t k = phases.size(); k-- > 0;)
     for (std::size_t before : phases[k].waits_for) follow[before] = std::max(follow[before], follow[k] + 1);
@@ -80,14 +80,15 @@ void StepGraph::Flow::run() {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Offers what is due to the other threads, except the first, with which this one goes on.
+/// Returns the first due phase, with which this thread continues, and offers the other due phases to the
+/// other threads.
 Job* StepGraph::Flow::share_out() {
   Job* const mine = due.pop();
   while (Job* other = due.pop()) detail::offer(*other);
   return mine;
 }
 
-/// Runs a phase, then one whose turn has come with it, and so on.
+/// Runs a phase, then one that has become due by it, and so on.
 void StepGraph::Flow::run_from(Job* job) {
   while (job != nullptr) {
     auto& turn = static_cast<Turn&>(*job);
@@ -98,7 +99,7 @@ void StepGraph::Flow::run_from(Job* job) {
     }
     if (!failed) turn.done.try_put(Message{});
     job = share_out();
-    --open;  // the last that this thread does in a step that it does not go on with
+    --open;  // last access of this thread to the step if no phase is left for it
   }
 }
 
@@ -122,8 +123,8 @@ bool StepGraph::conflict(const Phase& earlier, const Phase& later) {
 void StepGraph::add(std::string title, const bool* flag, std::vector<Access> accesses,
                     std::function<void()> run) {
   Phase phase{std::move(title), flag, std::move(accesses), std::move(run), {}, nullptr};
-  // An edge that follows from others is left out: the nearest conflicts come first, and what they wait
-  // for is covered.
+  // Edges that follow from other edges are left out. The loop begins with the nearest earlier phase; the
+  // phases for which a conflicting phase already waits are covered and need no edge.
   std::vector<bool> covered(phases_.size(), false);
   for (std::size_t k = phases_.size(); k-- > 0;) {
     if (covered[k]) {

@@ -12,17 +12,18 @@
 
 namespace furnas {
 
-/// What a phase has taken so far.
+/// The time that a phase has taken so far.
 struct PhaseTime {
   double seconds{};     ///< wall time
-  std::int64_t runs{};  ///< times that it ran
+  std::int64_t runs{};  ///< number of runs
 };
 
-/// The phases of a timestep in order, and the oneTBB flow graph that follows from what they touch.
+/// The phases of a timestep in order, and the oneTBB flow graph that follows from what the phases read and
+/// write.
 ///
-/// A phase is a free function: a `const T&` parameter is read, a `T&` parameter is written. A phase
-/// waits for an earlier one exactly when both touch the same object and one of them writes it. So the
-/// order of the lines is the meaning, and the graph is permission to overlap.
+/// A phase is a free function: a `const T&` parameter is read, a `T&` parameter is written. A phase waits for
+/// an earlier one exactly when both use the same object and at least one of them writes it. The result is
+/// that of the phases in their order; the graph only allows independent phases to run at the same time.
 class StepGraph {
  public:
   StepGraph();
@@ -30,7 +31,7 @@ class StepGraph {
   StepGraph(StepGraph&&) noexcept;
   StepGraph& operator=(StepGraph&&) noexcept;
 
-  /// Gives an object the name that the drawing shows.
+  /// Gives an object the name that is shown in the drawing (write_dot).
   template <class T>
   void name(const T& object, std::string text) {
     names_.push_back({range_of(object), std::move(text)});
@@ -43,7 +44,7 @@ class StepGraph {
         [function, &arguments...] { function(arguments...); });
   }
 
-  /// Adds a phase that runs only in steps in which `flag` is set when its turn comes.
+  /// Adds a phase that runs only if `flag` is set when the phase is due.
   template <class... Parameters, class... Arguments>
   void phase_when(const bool& flag, const std::string& title, void (*function)(Parameters...),
                   Arguments&... arguments) {
@@ -51,17 +52,17 @@ class StepGraph {
         [function, &arguments...] { function(arguments...); });
   }
 
-  /// One step, phase after phase: the reference, and what small systems use.
+  /// One step, phase after phase: the reference, also used for small systems.
   void run_in_order();
 
-  /// One step as a flow graph: inside Workers::run phases that do not wait for each other run at once, as far
-  /// as there are threads; elsewhere they run in order. What a phase throws reaches the caller once no phase
-  /// runs any more; those that had not begun are left out.
+  /// One step as a flow graph. Inside Workers::run phases that do not wait for each other run at the same
+  /// time, as far as there are threads; elsewhere the phases run in order. If a phase throws, phases that
+  /// have not begun are skipped, and the exception reaches the caller when no phase runs any more.
   void run_as_graph();
 
-  /// From now on keeps the time of each phase in `times`, one entry a phase in order, from zero; with nothing
-  /// it keeps none, as at first. Time is no part of the step: a graph that may only be looked at can be
-  /// timed.
+  /// From now on adds up the time of each phase in `times`, starting from zero, with one entry per phase in
+  /// order. With a null pointer times are no longer measured; this is also the initial state. The function is
+  /// const because times are no part of the step.
   void keep_times(std::vector<PhaseTime>* times) const;
 
   /// The drawing of the step in the language of Graphviz.
@@ -70,7 +71,7 @@ class StepGraph {
   /// Titles of the phases in order.
   std::vector<std::string> titles() const;
 
-  /// The phases that phase `index` waits for, without those that follow from others.
+  /// The phases that phase `index` waits for, without those that it waits for indirectly.
   const std::vector<std::size_t>& waits_for(std::size_t index) const { return phases_[index].waits_for; }
 
  private:
@@ -88,7 +89,7 @@ class StepGraph {
     std::vector<Access> accesses;
     std::function<void()> run;
     std::vector<std::size_t> waits_for;
-    mutable PhaseTime* time;  ///< where its time is kept, if it is
+    mutable PhaseTime* time;  ///< where its time is added up; null: nowhere
   };
   struct Name {
     Range range;

@@ -1,4 +1,5 @@
-// Compiled once for each instruction set: the compiler's flags choose it, FURNAS_KERNELS is its namespace.
+// This file is compiled once for each instruction set. The compiler's flags choose the set; FURNAS_KERNELS is
+// its namespace.
 
 #include "engine/kernels/contact_kernel.h"
 #include "engine/kernels/drift_kernel.h"

@@ -2,15 +2,16 @@
 
 #include "engine/kernels/touching.h"
 
-// The law is applied to sixteen contacts at a time, those that touch and no others, so lanes are never idle
-// where most candidates do not touch. Which contacts stand together depends on the contacts alone, not on the
-// skin; and since sums are kept for sixteen places whatever the width of the processor's lanes, not on the
-// instruction set either.
+// The law is applied to batches of sixteen contacts. Pairs that do not touch are left out, so lanes are used
+// fully even if most pairs of the list do not touch. The contacts of a batch are consecutive contacts of the
+// list, so the batches depend on the contacts alone, not on the skin. Each of the sixteen places has its own
+// sums, whatever the width of the processor's lanes, so the result does not depend on the instruction set
+// either.
 namespace furnas::HWY_NAMESPACE {
 
 constexpr std::size_t batch = 16;  ///< contacts computed together
 
-/// Sums at some places of a batch.
+/// Sums for the places of a batch that share one register.
 template <class R>
 struct PartSum {
   Vec3<R> x, y, z;          ///< branch (x) force
@@ -40,7 +41,7 @@ class ContactKernel {
   using Real = typename S::Real;
   using R = Lanes<Real>;
 
-  /// All rows of particles [begin, end); notes the inner list, if wanted.
+  /// Goes through all rows of particles [begin, end); fills the inner list, if wanted.
   void go_through_all(std::size_t begin, std::size_t end) {
     std::size_t i = begin;
     InnerPair* const inner = loop_.inner == nullptr ? nullptr : loop_.inner + loop_.first[begin];
@@ -54,7 +55,7 @@ class ContactKernel {
     if (inner != nullptr) loop_.inner_count[begin / contact_piece] = static_cast<std::uint32_t>(noted);
   }
 
-  /// The inner list of the piece of particles that starts at `begin`.
+  /// Goes through the inner list of the piece of particles that starts at `begin`.
   void go_through_inner(std::size_t begin) {
     const InnerPair* inner = loop_.inner + loop_.first[begin];
     for (std::size_t left = loop_.inner_count[begin / contact_piece]; left > 0;) {
@@ -65,7 +66,7 @@ class ContactKernel {
     }
   }
 
-  /// What happens to contacts that open.
+  /// The function to call for contacts that open.
   auto opener() {
     return [this](std::size_t a, std::size_t b, std::uint64_t k, const Vec3<double>& branch) {
       open(a, b, k, branch);
@@ -84,13 +85,14 @@ class ContactKernel {
   static constexpr std::size_t parts = batch / lanes;
   static_assert(batch % lanes == 0);
 
-  /// A vector and a number of each of the two particles.
+  /// A vector and a number for each of the two particles.
   struct Pair {
     Vec3<R> i, j;
     R i_last, j_last;
   };
 
-  /// The groups of four that `group` points out in the records of both particles of each contact.
+  /// Loads a group of four numbers from the records of both particles of each contact; `group` returns its
+  /// address.
   template <class Record, class Where>
   HWY_INLINE Pair take(const Record* records, std::size_t at, Where&& group) const {
     const Group<Real> i =
@@ -108,13 +110,13 @@ class ContactKernel {
                        [&](std::size_t l) { return group(found_.row[at + l]); });
   }
 
-  /// Velocity of the cell's flow across a branch.
+  /// Difference of the cell's flow between the two ends of a branch.
   template <class T>
   static HWY_INLINE Vec3<T> flow(const Triangle& e, const Vec3<T>& b) {
     return times(e, b);
   }
 
-  /// Rows, histories and sums of a batch of which `valid` contacts count.
+  /// Computes rows, histories and sums of a batch, of which the first `valid` contacts count.
   template <bool whole>
   [[gnu::flatten]] void apply(std::size_t from, std::size_t valid) {
     for (std::size_t part = 0; part < parts; ++part) {
@@ -157,7 +159,7 @@ class ContactKernel {
     add<whole>(reaction, normal, touch.branch, valid, sum);
   }
 
-  /// How the particles move against each other.
+  /// The relative motion of the particles.
   HWY_INLINE void see(std::size_t at, Touch<R>& touch) const {
     const Pair v = take(loop_.particles, at, [](const auto& p) { return &p.velocity.x; });
     touch.midway.velocity = v.i - v.j;
@@ -165,7 +167,8 @@ class ContactKernel {
     if (loop_.affine) touch.midway.velocity = touch.drift;
     touch.reduced_mass = R(1) / (v.i_last + v.j_last);
 
-    // With three numbers behind it, which nobody needs: put together one by one, lanes would wait for memory.
+    // Loads the radius with the three numbers behind it, which are not used. Inserting single radii into the
+    // lanes would be slower.
     const auto radii = [&](const std::uint64_t* of) {
       return load_groups<Real>([&](std::size_t l) { return &record<8>(loop_.particles, of[at + l]).radius; })
           .a;
@@ -180,7 +183,7 @@ class ContactKernel {
       touch.midway.spin_j = w.j;
     }
     if constexpr (S::Law::synchronized) {
-      // The motion at the end of the step, with the forces of its start: second order in the step.
+      // The motion at the end of the step, predicted with the forces at its start; second order in the step.
       const R half(0.5 * loop_.time_step);
       const Pair f = take(loop_.loads, at, [](const auto& load) { return &load.force.x; });
       touch.now.velocity = touch.midway.velocity + half * (v.i_last * f.i - v.j_last * f.j);
@@ -192,7 +195,8 @@ class ContactKernel {
     }
   }
 
-  /// Adds to the sums. The flow of the cell works against damping and friction only if they see it.
+  /// Adds to the sums. The flow of the cell does work on damping and friction only if relative velocities
+  /// include the flow.
   template <bool whole>
   HWY_INLINE void add(const Reaction<R>& r, const Vec3<R>& normal, const Vec3<R>& b, std::size_t valid,
                       PartSum<R>& sum) const {
@@ -214,8 +218,8 @@ class ContactKernel {
     sum.diagonal += more.diagonal, sum.shear += more.shear, sum.lost += more.lost;
   }
 
-  /// A contact that opens leaves the energy of its tangential spring behind; over half of the step the spring
-  /// has still worked.
+  /// Books the energy that is left in the tangential spring of a contact that opens. During half of this step
+  /// the spring has still done work.
   void open(std::size_t a, std::size_t b, std::uint64_t row, const Vec3<double>& branch) {
     loop_.rows[row] = {};
     if constexpr (S::spins) {
@@ -265,7 +269,7 @@ class ContactKernel {
   TouchingRows<S> rows_;
   Found<Real> found_;
   PartSum<R> sums_[parts];
-  std::size_t places_ = 0;  ///< of a batch that have been used
+  std::size_t places_ = 0;  ///< number of places of a batch that have been used
   double opening_ = 0;
 };
 

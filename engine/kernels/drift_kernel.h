@@ -8,7 +8,7 @@
 
 namespace furnas::HWY_NAMESPACE {
 
-/// Whether none of some particles has a load.
+/// Whether none of `count` particles has a load.
 template <std::size_t count>
 HWY_INLINE bool none_has_load(const std::uint8_t* marks) {
   std::uint64_t words[(count + 7) / 8]{};
@@ -18,7 +18,7 @@ HWY_INLINE bool none_has_load(const std::uint8_t* marks) {
   return (any & has_load * 0x0101010101010101) == 0;
 }
 
-/// Whether all of some particles sleep.
+/// Whether all of `count` particles sleep.
 template <std::size_t count>
 HWY_INLINE bool all_sleep(const std::uint8_t* marks) {
   static constexpr auto asleep = [] {
@@ -29,7 +29,8 @@ HWY_INLINE bool all_sleep(const std::uint8_t* marks) {
   return std::memcmp(marks, asleep.data(), count) == 0;
 }
 
-/// v -> factor (shear (factor v)): the cell's drag on velocities, as CellDragStep holds it.
+/// v -> factor (shear (factor v)): the effect of the cell's rate on velocities, with the constants of
+/// CellDragStep.
 template <class R>
 class CellDrag {
  public:
@@ -46,9 +47,9 @@ class CellDrag {
   R yz_, xz_, xy_;
 };
 
-/// The particles of some lanes: what is kicked, and by what. If they are not as many as lanes, `whole` is
-/// false, and lanes behind the last of the `count` particles repeat it. If they are `free` they have no load,
-/// and their spins, which nothing changes, are left alone.
+/// Velocities, spins and inverse masses of the particles in the lanes. If there are fewer particles than
+/// lanes, `whole` is false, and the remaining lanes repeat the last of the `count` particles. If `free` is
+/// true, the particles have no load, and their spins, which do not change, are not loaded.
 template <class S, bool whole, bool free = false>
 struct Moving {
   using Real = typename S::Real;
@@ -69,7 +70,7 @@ struct Moving {
   /// Half a kick.
   HWY_INLINE void kick(const Load<Real, S::spins>* loads, std::size_t count, const R& half_step) {
     if constexpr (free) {
-      velocity += Vec3<R>{};  // as a load of zeros does: -0 becomes 0
+      velocity += Vec3<R>{};  // like a kick with a zero load: -0 becomes 0
       return;
     }
     const auto f = take(loads, count, [](const auto& load) { return &load.force.x; });
@@ -80,7 +81,8 @@ struct Moving {
     }
   }
 
-  /// Whether none of them has a velocity, to the bit: -0 is one, because a kick of nothing makes it 0.
+  /// Whether all bits of all velocities are 0. A velocity of -0 does not count as rest, because a kick
+  /// without load changes it to 0.
   HWY_INLINE bool rest() const {
     const Tag<hwy::MakeUnsigned<Real>> bits;
     const auto of = [&](const R& v) { return hn::BitCast(bits, v.v); };
@@ -107,7 +109,7 @@ struct Moving {
   }
 };
 
-/// Half a kick and the drift of some particles; see DriftLoop. Answers the square of the largest
+/// Half a kick and the drift of particles [begin, end); see DriftLoop. Returns the square of the largest
 /// displacement.
 template <class S>
 class DriftKernel {
@@ -138,7 +140,7 @@ class DriftKernel {
   template <bool whole, bool free>
   HWY_INLINE void take_on(std::size_t i, std::size_t count, D& largest) const {
     Particle<Real, S::spins>* const here = loop_.particles + i;
-    if constexpr (whole) fetch_to_write(here + 3 * lanes, lanes);  // an address that is none does no harm
+    if constexpr (whole) fetch_to_write(here + 3 * lanes, lanes);  // a prefetch beyond the array does no harm
     Moving<S, whole, free> m(here, count);
     m.velocity = drag_(m.velocity);
     m.kick(loop_.loads + i, count, R(0.5 * loop_.time_step));
@@ -154,8 +156,8 @@ class DriftKernel {
     return D(hn::PromoteTo(Tag<double>(), hn::LoadU(hn::Rebind<float, Tag<double>>(), v)));
   }
 
-  /// Moves particles [first, first + lanes of D) as far as they are below `count`; the squares of their
-  /// displacements in the cell of the list.
+  /// Moves the particles [first, first + lanes of D) with an index below `count`. Returns the squares of
+  /// their displacements, measured in the cell at the time when the list was built.
   HWY_INLINE D move(Particle<Real, S::spins>* here, std::size_t first, std::size_t count, const Real* x,
                     const Real* y, const Real* z) const {
     const D dt(loop_.time_step);
@@ -173,8 +175,8 @@ class DriftKernel {
     return dot(moved, moved);
   }
 
-  /// furnas::to_fixed() of each lane: a displacement of half a cell or more is wrapped, for integers cannot
-  /// hold it.
+  /// furnas::to_fixed() of each lane. A displacement of half a cell or more is wrapped, because the integers
+  /// cannot represent it.
   static HWY_INLINE void to_fixed(const D& s, std::int64_t* fixed) {
     const D whole(hn::Round(((s - D(hn::Round(s.v))) * D(two_to_64)).v));
     const D half(0.5 * two_to_64);

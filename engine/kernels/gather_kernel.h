@@ -4,8 +4,8 @@
 
 namespace furnas::HWY_NAMESPACE {
 
-/// Sums of the rows of each particle, half a kick, the cell's drag; see GatherLoop. Answers the sum of m v
-/// (x) v.
+/// Sums the rows of each particle, then half a kick and the cell's drag; see GatherLoop. Returns the sum of m
+/// v (x) v.
 template <class S>
 class GatherKernel {
  public:
@@ -17,7 +17,7 @@ class GatherKernel {
       const std::size_t stop = end - i < batch ? end : i + batch;
       if (i + batch == stop && all_sleep<batch>(loop_.loaded + i)) continue;
       if (stop + 3 * batch <= end) fetch_to_write(loop_.particles + stop + 2 * batch, batch);
-      // Most particles of a gas, and of the rattlers of a packing, touch nothing.
+      // In a gas most particles touch nothing; the same is true of rattlers.
       if (i + batch == stop && none_has_load<batch>(loop_.loaded + i)) {
         bool rest = true;
         for (std::size_t part = 0; part < parts; ++part)
@@ -55,8 +55,8 @@ class GatherKernel {
   static constexpr std::size_t width = HWY_MIN(numbers, HWY_LANES(Real));
   static constexpr std::size_t registers = numbers / width;
 
-  /// The row as a particle feels it is its numbers times these: 1 or -1 for the force, minus its arm for the
-  /// couple. What comes out behind either is of no use to anybody.
+  /// Factors that turn the numbers of a row into the force and the torque on a particle: 1 or -1 for the
+  /// force, minus the lever arm for the couple. The products of the fourth number of each group are not used.
   static HWY_INLINE hn::Vec<Tags> factor(Real sign, const Real* minus_arm, std::size_t r) {
     const Tags d;
     if constexpr (!S::spins) {
@@ -69,14 +69,14 @@ class GatherKernel {
     }
   }
 
-  /// Adds what a row means to a particle.
+  /// Adds the force and torque of a row to the sums of a particle.
   static HWY_INLINE void add_row(const RowOf& row, Real sign, const Real* minus_arm, hn::Vec<Tags>* sum) {
     const Tags d;
     for (std::size_t r = 0; r < registers; ++r)
       sum[r] = hn::Add(sum[r], hn::Mul(hn::LoadU(d, &row.force.x + r * width), factor(sign, minus_arm, r)));
   }
 
-  /// Asks for the rows that come next; see TouchingRows::fetch.
+  /// Prefetches the next rows; see TouchingRows::fetch.
   HWY_INLINE void fetch(std::uint64_t incoming) const {
     const std::uint64_t end = incoming + 4 * batch < loop_.rows_end ? incoming + 4 * batch : loop_.rows_end;
     for (; incoming < end; ++incoming) __builtin_prefetch(loop_.rows + loop_.incoming[incoming]);
@@ -113,8 +113,8 @@ class GatherKernel {
     for (std::size_t r = 0; r < registers; ++r) hn::StoreU(sum[r], d, &loop_.loads[i].force.x + r * width);
   }
 
-  /// Half a kick of some particles, the cell's drag, and their part of the sums. Answers whether all rest
-  /// now.
+  /// Half a kick and the cell's drag for `count` particles, and their contribution to the sums. Returns
+  /// whether all of them are now at rest.
   template <bool whole, bool free>
   HWY_INLINE bool kick(std::size_t at, std::size_t count, Vec3<R>& diagonal, Vec3<R>& shear) const {
     Moving<S, whole, free> m(loop_.particles + at, count);

@@ -4,8 +4,8 @@
 
 #include "engine/kernels/lanes.h"
 
-// Records of particles hold their numbers in groups of four; lanes hold one number of many particles. These
-// loops turn the one into the other within registers, which no hardware gather does as fast.
+// Records of particles store numbers in groups of four; lanes hold one number of many particles. These
+// functions convert between both within registers, which is faster than a hardware gather.
 namespace furnas::HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
@@ -14,7 +14,7 @@ namespace detail {
 template <class T>
 constexpr std::size_t in_block = 16 / sizeof(T);  ///< numbers in 128 bits
 
-/// 128 bits from address(first), address(first + in_block), ... side by side.
+/// A register filled with 128 bits each from address(first), address(first + in_block), ...
 template <class T, class Address>
 HWY_INLINE hn::Vec<Tag<T>> side_by_side(std::size_t first, Address&& address) {
   const auto block = [&](std::size_t b) { return address(first + b * in_block<T>); };
@@ -34,8 +34,8 @@ HWY_INLINE hn::Vec<Tag<T>> side_by_side(std::size_t first, Address&& address) {
 #endif
 }
 
-/// The opposite: writes 128 bits to address(first), address(first + in_block), ... as far as those are below
-/// `count`.
+/// The inverse of side_by_side(): writes 128 bits each to address(first), address(first + in_block), ..., for
+/// indices below `count`.
 template <class T, class Address>
 HWY_INLINE void take_apart(const hn::Vec<Tag<T>>& v, std::size_t first, std::size_t count,
                            Address&& address) {
@@ -78,7 +78,7 @@ struct Group {
   Lanes<T> a, b, c, d;
 };
 
-/// Lane l of the four gets the four numbers at address(l).
+/// Loads the four numbers at address(l) into lane l of a, b, c and d.
 template <class T, class Address>
 HWY_INLINE Group<T> load_groups(Address&& address) {
   Group<T> g;
@@ -107,7 +107,7 @@ HWY_INLINE Group<T> load_groups(Address&& address) {
   return g;
 }
 
-/// Writes lane l of the four to address(l), for l below `count`.
+/// Writes lane l of a, b, c and d to address(l), for l below `count`.
 template <class T, class Address>
 HWY_INLINE void store_groups(const Group<T>& g, std::size_t count, Address&& address) {
 #if HWY_TARGET == HWY_SCALAR
@@ -132,11 +132,13 @@ HWY_INLINE void store_groups(const Group<T>& g, std::size_t count, Address&& add
 #endif
 }
 
-/// Writes the lanes whose bit is set, close together; up to a whole vector behind `to` may be overwritten.
+/// Writes the lanes whose bit is set to consecutive places from `to` on. Up to a whole register of memory
+/// from `to` on may be overwritten.
 template <class T>
 HWY_INLINE void pack(const Lanes<T>& values, unsigned bits, T* to) {
 #if HWY_TARGET == HWY_AVX3
-  // Highway 1.0.3 compresses 64-bit lanes through a table that it copies each time.
+  // Highway 1.0.3 compresses 64-bit lanes with a table that it copies at each call, so the intrinsic is used
+  // instead.
   static_assert(sizeof(T) == 8);
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits), values.v.raw));
 #else

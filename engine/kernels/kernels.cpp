@@ -17,7 +17,7 @@ namespace furnas {
 #define FURNAS_FOR_EACH_SET(DO) DO(scalar)
 #endif
 
-// Each is defined in a translation unit of its own, engine/kernels/all_kernels.cpp, compiled for that set.
+// The kernels of each set are defined in engine/kernels/all_kernels.cpp, which is compiled once for each set.
 #define FURNAS_DECLARE(set)     \
   namespace kernels_for_##set { \
     template <class S>          \

@@ -12,8 +12,8 @@
 
 namespace furnas {
 
-/// Particles of a call of Kernels::contacts: pieces of particles, not of rows, so that the order of the sums
-/// does not depend on the skin.
+/// Number of particles in one call of Kernels::contacts. The loop is divided into pieces of particles, not of
+/// rows, so that the order of the sums does not depend on the skin.
 inline constexpr std::size_t contact_piece = 128;
 
 /// What the loop over contacts reads and writes: plain pointers into State.
@@ -25,35 +25,36 @@ struct ContactLoop {
   Triangle edges;    ///< of the cell [d_s]
   Triangle rate;     ///< of the cell [1/time]
   double time_step;  ///< [time]
-  bool affine;       ///< contacts see the cell's flow
+  bool affine;       ///< relative velocities in contacts include the cell's flow
   const Particle<Real, S::spins>* particles;
   const Load<Real, S::spins>* loads;
   const RowNumber* first;        ///< as in PairList
   const std::uint32_t* partner;  ///< as in PairList
-  const Quarter* quarter;        ///< as in PairList; null while every nearest image is right
+  const Quarter* quarter;        ///< as in PairList; null if all rows mean the nearest image
   std::uint64_t rows_end;        ///< number of rows
   Row<Real, S::spins>* rows;
   Spring<Real>* springs;
   std::uint8_t* touching;
   ContactCount* contacts;
   std::uint8_t* loaded;        ///< as in ContactState
-  bool all;                    ///< go through all rows, not the inner list alone
+  bool all;                    ///< go through all rows instead of the inner list
   Skin inner_skin;             ///< as in InnerList
-  InnerPair* inner;            ///< as in InnerList; null while none is kept
+  InnerPair* inner;            ///< as in InnerList; null if there is no inner list
   std::uint32_t* inner_count;  ///< as in InnerList
 };
 
-/// What a piece of the contacts adds up.
+/// Sums over the contacts of one piece.
 struct ContactSum {
-  /// Sum of branch (x) force: force weighted with one component of the branch [k_n d_s^2].
+  /// Sum of branch (x) force; x, y and z are the sums of the force times one component of the branch [k_n
+  /// d_s^2].
   Vec3<double> x, y, z;
   ContactWork work;
 
   void operator+=(const ContactSum& b) { x += b.x, y += b.y, z += b.z, work += b.work; }
 };
 
-/// Half a step of the cell's drag on velocities: v -> factor (shear (factor v)), the shear being
-/// v_x - xy v_y - xz v_z, v_y - yz v_z, v_z.
+/// Half a step of the cell's drag on velocities: v -> factor (shear (factor v)), where shear maps v to
+/// (v_x - xy v_y - xz v_z, v_y - yz v_z, v_z).
 struct CellDragStep {
   Vec3<double> factor;
   double yz, xz, xy;
@@ -99,8 +100,8 @@ struct MotionSum {
   }
 };
 
-/// The loops of a step that take nearly all of its time, for one instruction set; each over particles [begin,
-/// end).
+/// The loops that take nearly all of the time of a step, compiled for one instruction set. Each loop runs
+/// over particles [begin, end).
 template <class S>
 struct Kernels {
   ContactSum (*contacts)(const ContactLoop<S>&, std::size_t begin, std::size_t end);
@@ -109,17 +110,18 @@ struct Kernels {
   MotionSum (*gather)(const GatherLoop<S>&, std::size_t begin, std::size_t end);
 };
 
-/// The instruction sets for which there are kernels, from the least to the most.
+/// The instruction sets for which kernels are compiled, in order of rising width.
 enum class InstructionSet { scalar, avx2, avx512 };
 
 /// Its name: "scalar", "AVX2", "AVX-512".
 const char* to_string(InstructionSet set);
 
-/// The best set that this processor has, unless choose() or the variable FURNAS_SIMD said otherwise. The bits
-/// of a result do not depend on it. Throws InputError when the variable names none.
+/// The instruction set set by choose() or by the environment variable FURNAS_SIMD; otherwise the best one
+/// that this processor supports. The bits of a result do not depend on the instruction set. Throws InputError
+/// if the variable names no instruction set.
 InstructionSet instruction_set();
 
-/// Takes this set from now on; the best one that the processor has if it lacks it.
+/// Uses this instruction set from now on, or the best supported one if the processor does not support it.
 void choose(InstructionSet set);
 
 /// The kernels of instruction_set().

@@ -5,8 +5,9 @@
 #define HWY_COMPILE_ONLY_STATIC
 #include <hwy/highway.h>
 
-// A translation unit is compiled for one instruction set. Highway's namespace is named after that set, and so
-// is everything that depends on it. No function compiled for one set can take the place of another's.
+// Each translation unit with kernels is compiled for one instruction set. Highway's namespace, which contains
+// everything that depends on the set, has the name of the set. Therefore the linker cannot replace a function
+// by the same function compiled for another set.
 namespace furnas::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -14,8 +15,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 using Tag = hn::ScalableTag<T>;
 
-/// Asks for the cache lines of some records that will be written soon, with the right to write them: another
-/// core may have read them.
+/// Prefetches, for writing, the cache lines of records that will be written soon, because another core may
+/// hold them.
 template <class Record>
 HWY_INLINE void fetch_to_write(const Record* records, std::size_t count) {
   const char* const bytes = reinterpret_cast<const char*>(records);
@@ -31,8 +32,8 @@ struct Truths {
   friend HWY_INLINE Truths operator|(const Truths& a, const Truths& b) { return {hn::Or(a.mask, b.mask)}; }
 };
 
-/// As many numbers as the processor computes with at once. Arithmetic is that of each number alone, rounded
-/// alike: no result depends on the instruction set or on the place in the lanes.
+/// As many numbers as the processor computes with in one instruction. Each lane is computed and rounded like
+/// a single number, so no result depends on the instruction set or on the position in the lanes.
 template <class T>
 struct Lanes {
   using Number = T;
@@ -44,7 +45,7 @@ struct Lanes {
   explicit Lanes(double all) : v(hn::Set(Tag<T>(), static_cast<T>(all))) {}
   explicit Lanes(hn::Vec<Tag<T>> lanes) : v(lanes) {}
   static HWY_INLINE Lanes from(const T* numbers) { return Lanes(hn::LoadU(Tag<T>(), numbers)); }
-  /// Lanes that hold whole numbers, bit by bit.
+  /// Lanes that hold the bits of whole numbers.
   static HWY_INLINE Lanes from_bits(const hwy::MakeUnsigned<T>* numbers) {
     return Lanes(hn::BitCast(Tag<T>(), hn::LoadU(Tag<hwy::MakeUnsigned<T>>(), numbers)));
   }

@@ -14,11 +14,11 @@
 
 namespace furnas::HWY_NAMESPACE {
 
-/// Candidates that are looked at together.
+/// Number of candidates (pairs of the list) that are tested together.
 constexpr std::size_t block = 128;
-constexpr std::size_t margin = 16;  ///< behind the last one, for whole lanes
+constexpr std::size_t margin = 16;  ///< space behind the last candidate, for whole registers
 
-/// Contacts that were found, in the order of their rows.
+/// The contacts found, in the order of their rows.
 template <class Real>
 struct Found {
   std::size_t count = 0;
@@ -28,7 +28,7 @@ struct Found {
   std::uint64_t i[block + 2 * margin], j[block + 2 * margin];                ///< particles, times 8
   std::uint64_t row[block + 2 * margin];                                     ///< row of the list, times 4
 
-  /// Moves those from `from` on to the front.
+  /// Drops the contacts before `from` and moves the others to the front.
   void drop_until(std::size_t from) {
     const std::size_t left = count - from;
     const auto shift = [&](auto* values) { std::memmove(values, values + from, left * sizeof(*values)); };
@@ -36,15 +36,15 @@ struct Found {
     count = left;
   }
 
-  /// Sets place `n` to what stands at `from`.
+  /// Copies the contact at `from` to place `n`.
   void copy(std::size_t from, std::size_t n) {
     x[n] = x[from], y[n] = y[from], z[n] = z[from], distance[n] = distance[from], overlap[n] = overlap[from];
     i[n] = i[from], j[n] = j[from], row[n] = row[from];
   }
 };
 
-/// Record number `times`/factor of an array. Processors add a register times 2, 4 or 8 to an address for
-/// nothing.
+/// Record number `times`/factor of an array. Indices are stored times `factor`, because processors can add a
+/// register times 2, 4 or 8 to an address without extra cost.
 template <std::size_t factor, class Record>
 HWY_INLINE Record& record(Record* records, std::uint64_t times) {
   static_assert(sizeof(Record) % factor == 0);
@@ -52,8 +52,8 @@ HWY_INLINE Record& record(Record* records, std::uint64_t times) {
   return *reinterpret_cast<Record*>(reinterpret_cast<Byte*>(records) + times * (sizeof(Record) / factor));
 }
 
-/// Finds which rows of the list touch. Differences, squares and overlaps are of double precision whatever the
-/// precision of the forces.
+/// Finds the rows of the list whose particles touch. Differences, squares and overlaps have double precision,
+/// whatever the precision of the forces.
 template <class S>
 class TouchingRows {
  public:
@@ -61,8 +61,9 @@ class TouchingRows {
 
   explicit TouchingRows(const ContactLoop<S>& loop) : loop_(loop) {}
 
-  /// Looks at rows [row, stop), a block at most, the first of them of particle `i` or a later one; appends
-  /// those that touch to `found` and calls parted(i, j, row, branch) for those that did at the last step.
+  /// Tests rows [row, stop), at most a block; the first row belongs to particle `i` or a later one. Appends
+  /// the rows that touch to `found`. Calls parted(i, j, row, branch) for rows that touched at the last step
+  /// but do not touch now.
   template <class Parted>
   void look(std::size_t& i, std::uint64_t row, std::uint64_t stop, Found<Real>& found, Parted&& parted) {
     fetch(stop, stop + block < loop_.rows_end ? stop + block : loop_.rows_end);
@@ -77,7 +78,7 @@ class TouchingRows {
     append(found);
   }
 
-  /// The same of `count` inner list, a block at most.
+  /// The same for `count` entries of the inner list, at most a block.
   template <class Parted>
   void look(const InnerPair* inner, std::size_t count, Found<Real>& found, Parted&& parted) {
     count_ = count;
@@ -93,7 +94,8 @@ class TouchingRows {
     append(found);
   }
 
-  /// Notes which of the rows looked at last, the first of which is `row`, are inner; answers how many.
+  /// Adds to the inner list the tested rows whose gap is below the inner skin; `row` is the first of the rows
+  /// tested last. Returns how many were added.
   std::size_t note_inner(std::uint64_t row, InnerPair* inner) const {
     const D wider(1 + loop_.inner_skin.relative);
     const D fixed(loop_.inner_skin.fixed);
@@ -115,9 +117,9 @@ class TouchingRows {
   using D = Lanes<double>;
   static constexpr std::size_t lanes = D::count;
 
-  /// Asks for the records of the partners in rows that come next. The records lie anywhere; without this the
-  /// processor would wait for each of those that another core has written, or that its caches are too small
-  /// for.
+  /// Prefetches the records of the partners in the next rows. These records may lie anywhere in memory.
+  /// Without prefetching, the processor would wait for each record that is not in its cache or was written by
+  /// another core.
   void fetch(std::uint64_t row, std::uint64_t stop) const {
     fetch_to_write(loop_.rows + row, stop - row);
     if constexpr (S::spins) fetch_to_write(loop_.springs + row, stop - row);
@@ -128,7 +130,7 @@ class TouchingRows {
     }
   }
 
-  /// Differences of positions of the candidates.
+  /// Computes the differences of the positions of the candidates.
   void take() {
     for (std::size_t n = 0; n < count_; ++n) {
       const auto& p = record<8>(loop_.particles, i_[n]);
@@ -141,12 +143,13 @@ class TouchingRows {
     for (std::size_t k = count_; k < count_ + lanes; ++k) {
       fixed_[0][k] = fixed_[1][k] = fixed_[2][k] = 0;
       quarter_[k] = 0;
-      reach_[k] = 0;  // what fills up the lanes touches nothing: 0 < 0 is false
+      reach_[k] = 0;  // padding of the lanes, which never touches because 0 < 0 is false
     }
   }
 
-  /// Writes the owner of each row. Eight places at once, most of which the next owner overwrites: loops over
-  /// the few rows of a particle would cost the processor a wrong guess each.
+  /// Writes the owner of each row, particle i. Each owner is written to eight places at once, and the next
+  /// owner overwrites the surplus. A loop over the few rows of each particle would cost one mispredicted
+  /// branch per particle.
   void name_owners(std::size_t& i, std::uint64_t row, std::uint64_t stop) {
     std::uint64_t next = row;
     while (loop_.first[i + 1] <= next) ++i;
@@ -164,13 +167,14 @@ class TouchingRows {
     }
   }
 
-  /// s_i - s_j along an axis, of the image that is meant.
+  /// s_i - s_j along an axis, for the image that the row means.
   template <int axis>
   HWY_INLINE D difference(std::size_t n) const {
     const D d(hn::Mul(hn::ConvertTo(Tag<double>(), hn::LoadU(Tag<std::int64_t>(), fixed_[axis] + n)),
                       hn::Set(Tag<double>(), 1 / two_to_64)));
     if (loop_.quarter == nullptr) return d;
-    // The four bytes of a quarter as one number; shifts leave the one of the axis, with its sign.
+    // The four bytes of a quarter are loaded as one number; two shifts extract the byte of the axis with its
+    // sign.
     const hn::Rebind<std::int32_t, Tag<double>> words;
     const auto all = hn::LoadU(words, quarter_ + n);
     const auto one = hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * axis>(all));
@@ -178,13 +182,14 @@ class TouchingRows {
     return d + D(hn::Round((quarter - d).v));
   }
 
-  /// Branches, and which of them are shorter than the reach: those, close together. Rows are those of `row_`,
-  /// or count on from `first`.
+  /// Computes the branches of all candidates, and stores those shorter than R_i + R_j consecutively in
+  /// `touch_`. The row numbers are those in `row_` if `named`, else they begin at `first`.
   template <bool named>
   void compare(std::uint64_t first) {
-    const Triangle h = loop_.edges;  // a copy, which no store below can change
+    const Triangle h = loop_.edges;  // a copy, so that the compiler knows that no store below changes it
     touching_ = 0;
-    // Rows, times 4. Highway 1.0.3 makes an Iota one by one in memory and then waits for it: once is enough.
+    // Row numbers times 4. Iota is called only once, because Highway 1.0.3 writes its lanes one by one to
+    // memory.
     const Tag<std::uint64_t> whole;
     auto here = hn::ShiftLeft<2>(hn::Iota(whole, first));
     const auto next = hn::Set(whole, 4 * lanes);
@@ -213,8 +218,9 @@ class TouchingRows {
     return bits[0];
   }
 
-  /// Keeps the flags of the rows and the counts of the particles up to date and reports contacts that opened.
-  /// Counts change when contacts do, not in each step: their cache lines stay with both cores.
+  /// Updates the flags of the rows and the contact counts of the particles, and reports contacts that opened.
+  /// Counts are written only when a contact forms or opens, so that their cache lines can stay in the caches
+  /// of several cores.
   template <class Parted>
   void note_changes(std::uint64_t first, Parted& parted) {
     std::uint8_t* flags = loop_.touching + first;
@@ -231,7 +237,7 @@ class TouchingRows {
     }
   }
 
-  /// The same of candidate `n`, which stands in `row`.
+  /// The same for candidate `n`, which belongs to row `row`.
   template <class Parted>
   void note_change(std::size_t n, std::uint64_t row, Parted& parted) {
     const std::uint8_t touches = (bits_[n / lanes] >> n % lanes) & 1;
@@ -247,7 +253,7 @@ class TouchingRows {
     loop_.touching[row] = touches;
   }
 
-  /// Each of eight bits as a byte.
+  /// Expands each of eight bits to a byte.
   static HWY_INLINE std::uint64_t spread(std::uint8_t bits) {
 #ifdef __BMI2__
     return _pdep_u64(bits, 0x0101010101010101);
@@ -258,7 +264,7 @@ class TouchingRows {
 #endif
   }
 
-  /// Branch of one candidate, as compare() has it.
+  /// Branch of one candidate, as in compare().
   Vec3<double> branch(std::size_t n) const {
     double s[3];
     for (int a = 0; a < 3; ++a) {
@@ -276,13 +282,13 @@ class TouchingRows {
   }
 
   void append(Found<Real>& found) {
-    for (std::size_t k = touching_; k < touching_ + lanes; ++k)  // whole lanes of numbers
+    for (std::size_t k = touching_; k < touching_ + lanes; ++k)  // fills the last register
       touch_.x[k] = touch_.y[k] = touch_.z[k] = touch_.square[k] = touch_.reach[k] = 1;
     for (std::size_t n = 0; n < touching_; n += lanes) {
       const std::size_t to = found.count + n;
       const D reach = D::from(touch_.reach + n);
       D square = D::from(touch_.square + n);
-      // Centres that coincide have no normal; they part along x.
+      // If the centres coincide, there is no normal; the branch is then taken along x.
       const auto coincide = square == D(0);
       const D x = select(coincide, D(1e-9) * reach, D::from(touch_.x + n));
       square = select(coincide, x * x, square);
@@ -301,19 +307,19 @@ class TouchingRows {
 
   const ContactLoop<S>& loop_;
   std::size_t count_ = 0;                                ///< candidates of the block
-  std::size_t touching_ = 0;                             ///< of them
+  std::size_t touching_ = 0;                             ///< candidates that touch
   std::int64_t fixed_[3][block + margin];                ///< s_i - s_j [2^-64]
-  std::int32_t quarter_[block + margin];                 ///< of the image, as bytes
+  std::int32_t quarter_[block + margin];                 ///< of the image that the row means, as bytes
   double reach_[block + margin];                         ///< R_i + R_j [d_s]
   std::uint64_t i_[block + margin], j_[block + margin];  ///< particles, times 8
-  std::uint64_t row_[block + margin];                    ///< rows, times 4, of inner list
+  std::uint64_t row_[block + margin];                    ///< rows of the inner list, times 4
   double square_[block + margin];                        ///< |branch|^2 [d_s^2]
   std::uint8_t bits_[block / lanes + 8];                 ///< which lanes touch
   struct Touching {
     double x[block + margin], y[block + margin], z[block + margin];    ///< branch [d_s]
     double square[block + margin], reach[block + margin];              ///< as above
-    double i[block + margin], j[block + margin], row[block + margin];  ///< whole numbers, bit by bit
-  } touch_;                                                            ///< those that touch, close together
+    double i[block + margin], j[block + margin], row[block + margin];  ///< bits of whole numbers
+  } touch_;  ///< candidates that touch, stored consecutively
 };
 
 }  // namespace furnas::HWY_NAMESPACE

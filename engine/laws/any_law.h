@@ -6,8 +6,8 @@
 #include "engine/laws/hooke_history.h"
 #include "engine/laws/hooke_synchronized.h"
 
-/// The list of the laws. A new law is one line here; phases, kernels, simulation and the tests that every law
-/// must pass follow from it. DO gets the law and what else is given.
+/// The list of the laws. A new law needs one line here. Phases, kernels, the simulation and the tests that
+/// every law must pass are instantiated from this list. DO is called with the law and the further arguments.
 #define FURNAS_FOR_EACH_LAW(DO, ...)                 \
   DO(HookeSynchronized __VA_OPT__(, ) __VA_ARGS__)   \
   DO(HookeHistory __VA_OPT__(, ) __VA_ARGS__)        \
@@ -34,17 +34,17 @@ inline const HookeConstants& constants_of(const AnyLaw& any) {
   return std::visit([](const auto& law) -> const HookeConstants& { return law.constants; }, any);
 }
 
-/// Whether particles turn and contacts have histories under a law.
+/// Whether particles rotate and contacts have histories under a law.
 inline bool has_friction(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.spins; }, any);
 }
 
-/// Whether lever arms meet in the middle of the overlap under a law, or are the full radii.
+/// Whether the lever arms of a law end in the middle of the overlap; otherwise they are the full radii.
 inline bool arms_meet(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.arms_meet; }, any);
 }
 
-/// How a contact pushes and resists under a law.
+/// Push, stiffness and damping of a contact under a law.
 inline ContactStiffness stiffness_of(const AnyLaw& any, const Touch<double>& touch) {
   return std::visit([&](const auto& law) { return law.stiffness(touch); }, any);
 }

@@ -16,11 +16,11 @@ struct Frictionless {
 
   HookeConstants constants;
 
-  /// How the springs resist at this overlap. Whatever needs the stiffness of a contact takes it from here.
+  /// Push, stiffness and damping at this overlap: the only place that defines the stiffness of a contact.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }
-  /// The energy that the springs of the contact hold.
+  /// The energy stored in the springs of the contact.
   [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
     return hooke_energy(constants, t, history);
   }

@@ -13,7 +13,7 @@ struct HookeConstants {
   double tangential_damping = 0.5;  ///< gamma_t [1/time], times the reduced mass
   double friction = 0;              ///< Coulomb coefficient mu
   bool attraction = true;           ///< the normal force may turn negative while a contact opens
-  bool winding = true;  ///< damping may wind the spring of a sliding contact beyond Coulomb's limit
+  bool winding = true;              ///< damping may stretch the spring of a sliding contact beyond mu F_n/k_t
 };
 
 /// The spring of the normal force, k_n overlap with k_n = 1 [k_n d_s].
@@ -44,33 +44,33 @@ template <class R>
   return c.attraction ? force : larger(force, R(0));
 }
 
-/// Energy taken out by the damping part of the normal force in a step, with v_n as in normal_force().
+/// Energy dissipated by the damping part of the normal force in a step, with v_n as in normal_force().
 template <class R>
 [[gnu::always_inline]] inline R normal_loss(const R& force, const R& spring, const R& normal_velocity,
                                             const R& time_step) {
   return (spring - force) * normal_velocity * time_step;
 }
 
-/// What happened to a tangential spring within a step, before Coulomb's limit cuts it.
+/// The change of a tangential spring within a step, before it is cut to Coulomb's limit.
 template <class R>
 struct SpringStep {
-  Vec3<R> before;     ///< history at its start, carried to its end [d_s]
-  Vec3<R> increment;  ///< tangential displacement of the surfaces within it [d_s]
-  Vec3<R> slip;       ///< slip velocity with which the damping works [d_s/time]
+  Vec3<R> before;     ///< history at the start of the step, carried to the contact plane at its end [d_s]
+  Vec3<R> increment;  ///< tangential displacement of the surfaces within the step [d_s]
+  Vec3<R> slip;       ///< slip velocity that the damping force opposes [d_s/time]
 };
 
-/// The whole reaction, from the normal `spring`, the motion along the normal `n` and the tangential spring
-/// `s`. `history` is the spring at the end of the step; it is cut so that spring and damping together keep to
-/// Coulomb's limit. Where `slides_free`, a contact beyond the limit has no tangential force and keeps its
-/// history. Arms are R - `shortening`.
+/// Force and losses of a contact, from the normal force `spring`, the velocity `v_n` along the normal `n` and
+/// the tangential spring `s`. `history` is the tangential spring at the end of the step. It is cut so that
+/// the sum of spring force and damping force does not exceed Coulomb's limit. If `slides_free`, a contact
+/// beyond the limit has no tangential force and keeps its history. Lever arms are R - `shortening`.
 ///
-/// With winding, as in the study, the damping of the cut is that of the whole slip; the more it exceeds the
-/// limit the further the spring is stretched the other way. Without, a slider stands in series with spring
-/// and dashpot: their force is the limit, their rate what the dashpot allows, and the slider takes up the
-/// rest of the slip.
+/// With winding, as in the study, the damping force of a sliding contact is that of the whole slip. If this
+/// force exceeds the limit, the spring is stretched in the opposite direction until the sum is at the limit.
+/// Without winding, a slider is in series with spring and dashpot. The force of spring and dashpot together
+/// is the limit, which determines their rate; the slider takes the rest of the slip.
 ///
-/// The spring's loss is taken with the mean of the forces at both ends, as velocity Verlet pairs them, less
-/// what the spring has stored.
+/// The loss of the spring in a step is the work of the mean of its forces at both ends of the step, as in
+/// velocity Verlet, minus the energy that the spring has stored.
 template <class R, class Truth>
 [[gnu::always_inline]] inline Reaction<R> hooke_reaction(const HookeConstants& c, const Touch<R>& t,
                                                          const R& spring, const Vec3<R>& n, const R& v_n,
@@ -85,7 +85,7 @@ template <class R, class Truth>
   const R size = norm(f_t);
   const R limit = R(c.friction) * abs(f_n);
   const auto slides = size > limit;
-  // Within the limit the factor is exactly 1; `least` only keeps 0/0 out.
+  // Within the limit the factor is exactly 1. `least` only avoids 0/0.
   const R least(1e-37);
   f_t *= select(slides & slides_free, R(0), limit / larger(larger(size, limit), least));
   if (c.tangential_stiffness > 0) {

@@ -5,12 +5,12 @@
 
 namespace furnas {
 
-/// The law of `pair_style gran/hooke/history` of LAMMPS, step for step, which the study used.
+/// The law of `pair_style gran/hooke/history` of LAMMPS, which the study used, reproduced step by step.
 ///
-/// The law mixes instants on purpose, as LAMMPS does: the velocities are those of the middle of the step, the
-/// normal that of its end; the tangential history is projected on the new contact plane without keeping its
-/// length; the lever arms are the full radii. docs/results/verification.md shows what that does to a small
-/// sphere between large ones.
+/// As in LAMMPS, the law combines quantities of different instants: velocities in the middle of the step, and
+/// the normal at its end. The tangential history is projected onto the new contact plane, which shortens it.
+/// The lever arms are the full radii. docs/results/verification.md shows the effect on a small sphere between
+/// large ones.
 struct HookeHistory {
   static constexpr const char* name = "hooke_history";
   static constexpr bool spins = true;
@@ -19,11 +19,11 @@ struct HookeHistory {
 
   HookeConstants constants;
 
-  /// How the springs resist at this overlap. Whatever needs the stiffness of a contact takes it from here.
+  /// Push, stiffness and damping at this overlap: the only place that defines the stiffness of a contact.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }
-  /// The energy that the springs of the contact hold.
+  /// The energy stored in the springs of the contact.
   [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
     return hooke_energy(constants, t, history);
   }

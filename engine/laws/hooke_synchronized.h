@@ -5,15 +5,15 @@
 
 namespace furnas {
 
-/// Carries a vector across the rotation that takes the unit normal `from` to `to`, about the axis
-/// from x to: exact, keeps its length and its angle with the normal.
+/// Carries a vector across the rotation that takes the unit normal `from` to `to`, about the axis from x to.
+/// The result is exact: length and angle with the normal are kept.
 template <class R>
 [[gnu::always_inline]] inline Vec3<R> transport(const Vec3<R>& vector, const Vec3<R>& from,
                                                 const Vec3<R>& to) {
   return vector - (dot(vector, to) / (R(1) + dot(from, to))) * (from + to);
 }
 
-/// Turns a vector about `normal` by an angle, to third order in it, without changing its length.
+/// Turns a vector about `normal` by an angle. The length is exact, the angle accurate to its third order.
 template <class R>
 [[gnu::always_inline]] inline Vec3<R> turn(const Vec3<R>& vector, const Vec3<R>& normal, R angle) {
   const R t = R(0.5) * angle;
@@ -21,12 +21,12 @@ template <class R>
   return ((R(1) - t * t) * scale) * vector + (R(2) * t * scale) * cross(normal, vector);
 }
 
-/// The damped Hookean contact with friction, each quantity taken at the instant it belongs to.
+/// The damped Hookean contact with friction, with each quantity at its proper instant.
 ///
-/// The slip of a step is measured in its middle, with the normal and the lever arms of the middle
-/// (Vyas, Ottino, Lueptow, Umbanhowar, Comput. Phys. Commun. 310 (2025) 109524); the history turns with
-/// the pair, about the normal too; damping uses velocities predicted for the end of the step. The lever
-/// arms meet in the contact point, the same for slip and torque, so angular momentum is conserved.
+/// The slip of a step is measured in its middle, with the normal and the lever arms of the middle (Vyas,
+/// Ottino, Lueptow, Umbanhowar, Comput. Phys. Commun. 310 (2025) 109524); the history turns with the pair,
+/// also about the normal; damping uses velocities predicted for the end of the step. The lever arms meet in
+/// the contact point and are the same for slip and torque, so angular momentum is conserved.
 struct HookeSynchronized {
   static constexpr const char* name = "hooke_synchronized";
   static constexpr bool spins = true;
@@ -35,11 +35,11 @@ struct HookeSynchronized {
 
   HookeConstants constants;
 
-  /// How the springs resist at this overlap. Whatever needs the stiffness of a contact takes it from here.
+  /// Push, stiffness and damping at this overlap: the only place that defines the stiffness of a contact.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }
-  /// The energy that the springs of the contact hold.
+  /// The energy stored in the springs of the contact.
   [[gnu::always_inline]] ContactEnergy energy(const Touch<double>& t, const Vec3<double>& history) const {
     return hooke_energy(constants, t, history);
   }
@@ -56,8 +56,9 @@ struct HookeSynchronized {
                           history);
   }
 
-  /// Takes the history through the step: carries it to the middle, adds the slip there, carries it to the
-  /// end. A step of no length leaves it alone. Laws with another normal spring use it, too.
+  /// Updates the history over the step: turns it to the middle of the step, adds the slip there, and turns
+  /// the sum to the end. A step of length 0 does not change the history. Laws with another normal spring can
+  /// use the function, too.
   template <class R>
   [[gnu::always_inline]] static SpringStep<R> aged(const Touch<R>& t, const Vec3<R>& end, Vec3<R>& history) {
     const R half(0.5);
@@ -66,12 +67,12 @@ struct HookeSynchronized {
     const Vec3<R> branch_middle = t.branch - half * step;
     const R distance_start = norm(branch_start);
     const R distance_middle = norm(branch_middle);
-    // Centres that passed each other within the step: nothing of the old contact plane is left.
+    // If the centres passed each other within the step, the old contact plane has no meaning any more.
     const auto passed = dot(branch_start, t.branch) <= R(0);
     const Vec3<R> start = branch_start * (R(1) / select(passed, R(1), distance_start));
     const Vec3<R> middle = branch_middle * (R(1) / select(passed, R(1), distance_middle));
 
-    // Spheres that met within the step have slipped on each other only since then.
+    // Spheres that met within the step have slipped only since they met.
     const R reach = t.radius_i + t.radius_j;
     const auto met = distance_start > reach;
     const R share = select(met, t.overlap / select(met, distance_start - t.distance, R(1)), R(1));
@@ -84,9 +85,9 @@ struct HookeSynchronized {
         turn(select(passed, Vec3<R>{}, transport(history, start, middle)), middle, twist);
     const Vec3<R> xi = transport(at_middle + increment, middle, end);
     const auto still = passed | (t.time_step <= R(0));
-    // But for rounding xi is across the normal already.
+    // xi is already perpendicular to the normal; this removes the rounding error.
     history = select(still, select(passed, Vec3<R>{}, history), xi - dot(xi, end) * end);
-    // But for the turn of the normal within half a step.
+    // Neglects the turn of the normal within half a step.
     const Vec3<R> before = select(still, history, history - increment);
     return {before, select(still, Vec3<R>{}, t.time_step * slip), {}};
   }

@@ -4,7 +4,7 @@
 
 namespace furnas {
 
-/// How the two particles of a contact move against each other at one instant.
+/// Relative motion of the two particles of a contact at one instant.
 template <class R>
 struct RelativeMotion {
   Vec3<R> velocity;  ///< v_i - v_j [d_s/time]
@@ -12,7 +12,7 @@ struct RelativeMotion {
   Vec3<R> spin_j;    ///< [1/time]
 };
 
-/// What a law sees of two particles that overlap at the end of a step.
+/// The input of a law: two particles that overlap at the end of a step.
 template <class R>
 struct Touch {
   Vec3<R> branch;            ///< centre of j to centre of i [d_s]
@@ -20,43 +20,42 @@ struct Touch {
   R overlap;                 ///< R_i + R_j - distance > 0 [d_s]
   R radius_i, radius_j;      ///< [d_s]
   R reduced_mass;            ///< m_i m_j/(m_i + m_j) [rho d_s^3]
-  RelativeMotion<R> midway;  ///< in the middle of the step, as it carried the particles here
+  RelativeMotion<R> midway;  ///< in the middle of the step, as it moved the particles
   RelativeMotion<R> now;     ///< predicted for the end of the step; only if the law is synchronized
   Vec3<R> drift;             ///< rate of change of the branch over the step, the cell's flow included
-  R time_step;               ///< [time]; 0 when forces are taken without a step
+  R time_step;               ///< [time]; 0 when forces are computed without a step
 };
 
-/// Energy that a contact took out of the motion during the step [k_n d_s^2].
+/// Energy that a contact dissipates during the step [k_n d_s^2].
 template <class R>
 struct ContactLosses {
   R normal_damping{};
   R tangential_damping{};
-  R sliding{};  ///< all that the tangential force took in a step that ended at the Coulomb limit
+  R sliding{};  ///< all work of the tangential force in steps that end at the Coulomb limit
 };
 
-/// How the springs and dashpots of a contact push and resist at an instant: what a law answers to
-/// stiffness().
+/// Force, stiffness and damping of the springs and dashpots of a contact: the result of a law's stiffness().
 struct ContactStiffness {
   double push{};                ///< normal force of the spring [k_n d_s]
   double normal{};              ///< dF_n/d overlap of the spring [k_n]
   double tangential{};          ///< dF_t/d xi of the spring; 0 for a law without friction [k_n]
-  double normal_damping{};      ///< of the normal velocity, over the reduced mass [1/time]
-  double tangential_damping{};  ///< of the slip velocity, over the reduced mass [1/time]
+  double normal_damping{};      ///< damping coefficient of the normal velocity/reduced mass [1/time]
+  double tangential_damping{};  ///< damping coefficient of the slip velocity/reduced mass [1/time]
 
-  /// Largest stiffness against a motion of the pair, as a multiple of 1/m_eff: slip of two spheres meets 7/2
-  /// of the inverse mass, because they also turn [k_n].
+  /// The stiffness k with which k/m_eff is the largest squared frequency of the pair [k_n]. For slip the
+  /// inverse mass is 7/2 of 1/m_eff, because the spheres also rotate.
   [[gnu::always_inline]] double stiffest() const {
     return 3.5 * tangential > normal ? 3.5 * tangential : normal;
   }
 };
 
-/// Energy of the springs of a contact [k_n d_s^2]: what a law answers to energy().
+/// Energy of the springs of a contact [k_n d_s^2]: the result of a law's energy().
 struct ContactEnergy {
   double normal{};
   double tangential{};
 };
 
-/// Two spheres in contact without any motion, as stiffness() and energy() want to see them.
+/// Two spheres in contact without any motion: the argument for stiffness() and energy().
 [[gnu::always_inline]] inline Touch<double> resting_touch(double radius_i, double radius_j,
                                                           double reduced_mass, double overlap) {
   Touch<double> touch{};
@@ -68,12 +67,12 @@ struct ContactEnergy {
   return touch;
 }
 
-/// What the law answers.
+/// The result of a law.
 template <class R>
 struct Reaction {
   Vec3<R> force;    ///< on i; on j it is the opposite [k_n d_s]
   R normal_spring;  ///< the elastic part of the normal force, along the branch [k_n d_s]
-  R shortening{};   ///< lever arms are R - shortening: 0, or overlap/2 when they meet in the contact [d_s]
+  R shortening{};   ///< lever arms are R - shortening; overlap/2 if they meet in the contact, else 0 [d_s]
   ContactLosses<R> losses{};
 };
 

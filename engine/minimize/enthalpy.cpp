@@ -22,7 +22,7 @@ void add_product(Triangle& t, const Vec3<double>& a, const Vec3<double>& b) {
   t.yz += a.y * b.z, t.xz += a.x * b.z, t.xy += a.x * b.y;
 }
 
-/// What a look adds up over the contacts.
+/// Sums over the contacts in look().
 struct ContactTotals {
   double energy{};  ///< [k_n d_s^2]
   double force{};   ///< sum of |F| [k_n d_s]
@@ -62,7 +62,7 @@ Enthalpy::Enthalpy(const Packing& p, const AnyLaw& law, const Barostat& bath)
 }
 
 void Enthalpy::renew_list() {
-  constexpr double share = 0.1;  // of the smallest diameter: ways are short here
+  constexpr double share = 0.1;  // of the smallest diameter: displacements are small here
   constexpr double strain = 0.01;
   list_.skin = {share * 2 * list_.classes.back().smallest_radius, strain};
   list_.reference = fraction_;
@@ -92,7 +92,7 @@ bool Enthalpy::covers(const Shift& shift) const {
             piece += {dot(shift.displacement[k], shift.displacement[k])};
           return piece;
         });
-    // The list is about ways in its own cell.
+    // The list is checked with displacements measured in the cell in which it was built.
     moved.push_back(std::sqrt(square.value) / (1 - strain));
   }
   return rows_are_complete(list_.classes, list_.skin, list_.edges, moved, strain);
@@ -145,7 +145,7 @@ void Enthalpy::look(const Shift& shift, Point& point) {
   point.mean_force = total.count > 0 ? total.force / static_cast<double>(total.count) : 0;
 }
 
-/// The part of a derivative by the strain that lies in what the cell may do.
+/// The part of a derivative by the strain along the strains that the cell is free to make.
 Triangle Enthalpy::allowed(const Triangle& g) const {
   const double mean = g.trace() / 3;
   switch (bath_.freedom) {

@@ -10,7 +10,7 @@
 namespace furnas {
 namespace {
 
-/// What the last steps have told of the second derivative.
+/// The estimate of the second derivative from the last steps.
 class Curvature {
  public:
   explicit Curvature(Shift softness)
@@ -19,7 +19,7 @@ class Curvature {
   void forget() { pairs_.clear(); }
   bool empty() const { return pairs_.empty(); }
 
-  /// Learns from a step and the change of the gradient along it.
+  /// Updates the estimate with a step and the change of the gradient along it.
   void learn(Shift step, Shift change) {
     const double bend = dot(step, change);
     if (!(bend > 0)) return;
@@ -27,7 +27,7 @@ class Curvature {
     pairs_.push_back({std::move(step), std::move(change), 1 / bend});
   }
 
-  /// The way down: minus the inverse second derivative, as far as it is known, times a gradient.
+  /// Direction of descent: minus the estimated inverse second derivative times the gradient.
   void descend(const Shift& gradient, Shift& way) {
     add(gradient, -2, gradient, way);
     std::vector<double> weight(pairs_.size());
@@ -61,7 +61,7 @@ class Curvature {
   std::deque<Pair> pairs_;
 };
 
-/// Where it stands: a shift from the place of the enthalpy and what is found there.
+/// The state of the search: a shift from the place of the enthalpy, and the values at this shift.
 class Descent {
  public:
   Descent(Enthalpy& enthalpy, std::int64_t most)
@@ -101,14 +101,15 @@ class Descent {
     ++report_.evaluations;
   }
 
-  /// Makes where it stands the place, so that the neighbour list reaches as far as it can.
+  /// Makes the present configuration the place, so that the new neighbour list is complete as far around it
+  /// as possible.
   void move_place() {
     h_.move(at_);
     at_ = Shift(h_.particles());
     moved_ = false;
   }
 
-  /// Whether the list covers a step of this length; it is made anew where that helps.
+  /// Whether the list covers a step of this length; the list is first rebuilt if that helps.
   bool in_reach(double length) {
     add(at_, length, way_, next_);
     if (h_.covers(next_)) return true;
@@ -117,10 +118,11 @@ class Descent {
     return in_reach(length);
   }
 
-  /// One step along the way, to where the slope is small against what it was: by the rule of false position,
-  /// which knows a zero between two slopes of opposite signs. Whether it led down.
+  /// One step along the direction of descent to a point where the slope is small compared with the first
+  /// slope. The point is found by the rule of false position, which locates a zero between two slopes of
+  /// opposite signs. Returns whether such a point was found.
   bool step() {
-    constexpr double flat = 0.5;  // of the first slope, as Wolfe's second condition asks
+    constexpr double flat = 0.5;  // share of the first slope, as in Wolfe's second condition
     constexpr int tries = 20;
     const double slope = dot(here_.gradient, way_);
     if (!(slope < 0)) return false;
@@ -160,7 +162,7 @@ class Descent {
   std::int64_t most_;
   MinimumReport report_;
   Shift at_, next_, way_;
-  bool moved_ = false;  ///< away from the place of the enthalpy
+  bool moved_ = false;  ///< at_ differs from the place of the enthalpy
   Enthalpy::Point here_, there_;
   Curvature curvature_;
 };

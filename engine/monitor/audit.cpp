@@ -16,15 +16,16 @@ struct Touching {
   double overlap{};  ///< [d_s]
 };
 
-/// Calls what(k) for each whole k for which |lean + k| edge < reach.
+/// Calls what(lean + k) for each whole number k with |lean + k| edge < reach.
 template <class What>
 void for_images(double lean, double edge, double reach, What&& what) {
   const int last = static_cast<int>(std::floor(reach / edge - lean));
   for (int k = static_cast<int>(std::ceil(-reach / edge - lean)); k <= last; ++k) what(lean + k);
 }
 
-/// All spheres and images that overlap particle i, without a list. The cell is triangular: the third
-/// component of a branch bounds its third image, then the second the second, then the first.
+/// All spheres and images that overlap particle i, found without a neighbour list. Because the matrix of the
+/// cell is triangular, the z component of the branch depends only on the image along the third edge. The
+/// images along the third edge are therefore bounded first, then those along the second and first edge.
 std::vector<Touching> touching(const Packing& p, std::uint32_t i) {
   const Triangle& h = p.cell.edges;
   std::vector<Touching> found;
@@ -45,9 +46,10 @@ std::vector<Touching> touching(const Packing& p, std::uint32_t i) {
   return found;
 }
 
-/// The first of `these` without its like among `others`. A touch thinner than rounding may be missing.
+/// The first contact in `these` without an equal one in `others`. Contacts with an overlap below rounding may
+/// be missing.
 std::optional<Touching> unmatched(const std::vector<Touching>& these, const std::vector<Touching>& others) {
-  constexpr double rounding = 1e-9;  // [d_s] of edges and radii up to 1e5
+  constexpr double rounding = 1e-9;  // [d_s] for edges and radii up to 1e5
   for (const Touching& t : these) {
     const auto same = [&](const Touching& o) {
       return o.partner == t.partner && std::abs(o.overlap - t.overlap) < rounding;
@@ -60,7 +62,7 @@ std::optional<Touching> unmatched(const std::vector<Touching>& these, const std:
 }  // namespace
 
 std::string audit_contacts(const Packing& p, std::size_t sample, std::uint64_t key) {
-  std::map<std::uint32_t, std::vector<Touching>> listed;  // by the particles that are watched
+  std::map<std::uint32_t, std::vector<Touching>> listed;  // contacts by audited particle
   for (std::uint32_t n = 0; n < std::min(sample, p.size()); ++n)
     listed[sample < p.size() ? static_cast<std::uint32_t>(philox({n, 0, 0, 0}, key)[0] % p.size()) : n];
   const auto list = [&](std::uint32_t i, std::uint32_t j, double overlap) {

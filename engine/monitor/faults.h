@@ -7,13 +7,13 @@
 
 namespace furnas {
 
-/// What is wrong with a packing, in a sentence with ids and step; empty if it is sound: its numbers are
-/// finite, the spheres fill less than the cell, no two centres nearly coincide, and the time step is stable
-/// for the contacts as they are.
+/// A sentence, with particle numbers (index + 1) and step, about the first fault of a packing; empty if there
+/// is none. In a packing without fault all numbers are finite, the volume of the spheres is below that of the
+/// cell, no two centres nearly coincide, and the time step is stable for the present contacts.
 std::string fault_of(const Packing& packing, const Model& model);
 
-/// Overlap beyond which two spheres count as having run through each other, as a share of the sum of their
-/// radii: their centres nearly coincide, and the normal means nothing any more.
+/// Largest allowed overlap, as a share of the sum of the radii. Beyond it the centres nearly coincide, and
+/// the normal has no meaning.
 inline constexpr double deepest_overlap = 0.9;
 
 }  // namespace furnas

@@ -25,7 +25,7 @@ void measure_stress(const Packing& p, Measures& m) {
 
 void measure_contacts(const Packing& p, Measures& m) {
   std::int64_t sliding = 0;
-  double push = 0, stiffness = 0;  // against a strain, of all contacts
+  double push = 0, stiffness = 0;  // sums over contacts: force and stiffness against an isotropic strain
   for (const Contact& c : p.contacts) {
     m.mean_force += norm(c.force);
     m.largest_overlap = std::max(m.largest_overlap, c.overlap / std::min(p.radius[c.i], p.radius[c.j]));

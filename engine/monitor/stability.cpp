@@ -37,7 +37,7 @@ double largest_stable_step(const AnyLaw& law, const Touch<double>& pair) {
   const ContactStiffness s = stiffness_of(law, pair);
   const double normal = stable_step(s.normal / pair.reduced_mass, s.normal_damping);
   if (!has_friction(law)) return normal;
-  // Slip of two spheres meets 7/2 of the inverse mass: they also turn.
+  // For slip of two spheres the inverse mass is 7/2 of 1/m_eff, because the spheres also rotate.
   return std::min(normal, stable_step(3.5 * s.tangential / pair.reduced_mass, 3.5 * s.tangential_damping));
 }
 

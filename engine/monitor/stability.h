@@ -22,14 +22,14 @@ double pair_frequency(const AnyLaw& law, const Touch<double>& pair);
 /// of x'' = -K x - C x' taken at the start of each step is stable while K dt^2 + 2 C dt < 4 [time].
 double largest_stable_step(const AnyLaw& law, const Touch<double>& pair);
 
-/// The same for a sphere that sticks to this many equal ones, by the row sums of K and C (Gershgorin): with
-/// rotations in units of 0.4 R each contact adds 7 k_t/m and 7 gamma_t m_eff/m. Infinite without friction
-/// [time].
+/// The largest stable step for a sphere in sticking contact with this number of equal spheres [time];
+/// infinite without friction. It follows from the row sums of K and C (Gershgorin): with rotations in units
+/// of 0.4 R each contact adds 7 k_t/m and 7 gamma_t m_eff/m.
 double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours);
 
-/// Upper bound of the frequency of a packing's springs times the time step; explicit integration of undamped
-/// springs is stable below 2. The row sum of M^-1 K bounds its eigenvalues (Gershgorin): with rotations in
-/// units of 0.4 R a contact adds max(2 k_n, 7 k_t)/m, exact for two equal spheres that stick.
+/// Upper bound of the largest frequency of a packing's springs, times the time step. Explicit integration of
+/// undamped springs is stable below 2. The row sum of M^-1 K bounds its eigenvalues (Gershgorin): with
+/// rotations in units of 0.4 R a contact adds max(2 k_n, 7 k_t)/m, exact for two equal spheres that stick.
 double stiffest_step(const Packing& packing, const Model& model);
 
 }  // namespace furnas

@@ -20,7 +20,7 @@ void kick_cell(const Barostat& barostat, const double& time_step, const std::siz
   e.zz = (e.zz + kick * push.z()) * decay;
   if (barostat.freedom != CellFreedom::triclinic) return;
 
-  // An upper-triangular rate moves x with y, so branch_y force_x is what does work.
+  // With an upper-triangular rate x moves in proportion to y, so branch_y force_x does work.
   const auto shear = [&](int a, int b) { return barostat.legacy ? p(a, b) : p(b, a); };
   e.yz = (e.yz + kick * shear(1, 2)) * decay;
   e.xz = (e.xz + kick * shear(0, 2)) * decay;
@@ -29,7 +29,7 @@ void kick_cell(const Barostat& barostat, const double& time_step, const std::siz
 
 namespace {
 
-/// exp(e t) h by its series, Horner's way; |e t| is far below 1, so 8 terms are exact to rounding.
+/// exp(e t) h by its power series, in Horner's form. |e t| is far below 1, so 8 terms are exact to rounding.
 Triangle stretched(const Triangle& h, const Triangle& e, double t) {
   Triangle sum = h;
   for (int term = 8; term > 0; --term) {
@@ -41,8 +41,8 @@ Triangle stretched(const Triangle& h, const Triangle& e, double t) {
   return sum;
 }
 
-/// The same to first order in the shear, as LAMMPS splits it: tilts over a half, then lengths, then
-/// tilts over a half with the old lengths.
+/// The same to first order in the shear, split as in LAMMPS: tilts over half the time, then lengths, then
+/// tilts over half the time with the old lengths.
 Triangle stretched_as_lammps(const Triangle& h, const Triangle& e, double t) {
   const auto grow = [](double& tilt, double rate, double push, double time) {
     const double factor = std::exp(0.5 * time * rate);

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t chunk = 256;
 
-/// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein
-/// (Mol. Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The series of
-/// the shear ends at second order and is complete, so that a step taken back undoes it; LAMMPS ends the
-/// series at first order.
+/// v' = -(e + tr(e)/(3 N)) v over half a step, the splitting of Martyna, Tuckerman, Tobias and Klein (Mol.
+/// Phys. 87 (1996) 1117): half the diagonal, the shear, half the diagonal. The series of the shear ends at
+/// second order, because higher powers vanish. It is therefore exact, and a step backwards undoes a step
+/// forwards. LAMMPS ends the series at first order.
 CellDragStep cell_drag(const Barostat& bath, const Triangle& rate, std::size_t count, double time_step) {
   const double half = 0.5 * time_step;
   const double common = rate.trace() / (3 * static_cast<double>(count));

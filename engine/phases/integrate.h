@@ -11,7 +11,8 @@ namespace furnas {
 /// measured in the cell as it was when the list was built; squared [d_s^2].
 using StepDisplacement = std::vector<double>;
 
-/// First half of the step for the particles: cell's drag on peculiar velocities, half a kick, drift.
+/// First half of the step for the particles: effect of the cell's rate on peculiar velocities, half a kick,
+/// drift.
 template <class Numerics>
 void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                     const ContactState<typename Numerics::Real>& contact_state,
@@ -19,9 +20,9 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                     std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                     StepDisplacement& step_displacement);
 
-/// Second half: the sum over the contacts of each particle, in an order that no thread changes, then
-/// half a kick and the cell's drag. `motion` becomes the kinetic part of the stress, times the volume.
-/// With `time_step` 0 only the sums are taken.
+/// Second half of the step: the sum over the contacts of each particle, in an order that does not depend on
+/// the threads, then half a kick and the effect of the cell's rate. `motion` becomes the kinetic part of the
+/// stress times the volume. With `time_step` 0 only the sums are computed.
 template <class Numerics>
 void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& cell, const PairList& pairs,
                      const Rows<typename Numerics::Real, Numerics::spins>& rows,

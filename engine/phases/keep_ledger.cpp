@@ -15,7 +15,8 @@ void book_contacts(const double& time_step, const Cell& cell, const ContactWork&
   ledger.cell_work -=
       0.5 * time_step * (contraction(cell.rate, ledger.last.push) + contraction(cell.rate, work.push));
   ContactWork here = work;
-  // A spring goes at once, and at the limit it is wound at once, to any length
+  // These losses are booked at once, not in halves. When a contact opens, its spring vanishes at once; at the
+  // Coulomb limit the spring is cut or stretched at once, by any length
   // (docs/developer/decisions/energy-balance.md).
   ledger.losses.opening += std::exchange(here.losses.opening, 0);
   ledger.losses.sliding += std::exchange(here.losses.sliding, 0);

@@ -13,7 +13,8 @@ namespace furnas {
 void book_cell_drag(const double& time_step, const std::size_t& particles, const Cell& cell,
                     const Eigen::Matrix3d& motion, Ledger& ledger);
 
-/// Books half of what the contacts do at this instant, and the half of the last one that was left.
+/// Books half of the contacts' work at this instant, and the second half of their work at the previous
+/// instant.
 void book_contacts(const double& time_step, const Cell& cell, const ContactWork& work, Ledger& ledger);
 
 }  // namespace furnas

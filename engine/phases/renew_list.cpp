@@ -85,7 +85,7 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
   draft.fresh.step = step;
   draft.fresh.builds = pairs.builds + 1;
   pairs = std::move(draft.fresh);
-  draft = {};  // of many particles it takes much memory, of few no time
+  draft = {};  // frees much memory for many particles; for few, costs no time
   rows.assign(pairs.rows(), {});
   displacement.largest.assign(pairs.classes.size(), 0);
   displacement.suspect = displacement.outdated = false;
@@ -96,7 +96,7 @@ void watch_inner_list(const std::int64_t& step, const double& time_step,
                       InnerList& inner) {
   if (inner.builds == pairs.builds) {
     if (inner.kept) {
-      // Displacements are measured in the cell of the list.
+      // step_displacement is measured in the cell at the build of the neighbour list.
       const double stretch = 1 + strain_between(pairs.edges, inner.edges);
       for (std::size_t c = 0; c < step_displacement.size(); ++c)
         inner.displacement[c] += stretch * std::sqrt(step_displacement[c]);

@@ -11,19 +11,19 @@
 
 namespace furnas {
 
-/// What building a list needs.
+/// Data needed while a list is built.
 struct ListDraft {
   std::vector<double> radii;  ///< [d_s]
   std::vector<Grid> grids;
-  PairList fresh;  ///< its reference: the positions
+  PairList fresh;  ///< the new list; its `reference` has the positions
 };
 
-/// Adds the largest displacements of this step to those since the build, and says whether these must be
-/// measured.
+/// Adds the largest displacements of this step to those since the build, and decides whether the real
+/// displacements must be measured.
 void add_displacement(const std::int64_t& step, const StepDisplacement& step_displacement, const Cell& cell,
                       const PairList& pairs, ListDisplacement& displacement);
 
-/// Measures how far particles have really moved since the list was built.
+/// Measures the real displacements since the list was built.
 template <class Numerics>
 void measure_displacement(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
                           const PairList& pairs,
@@ -40,15 +40,15 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
 /// Lists the pairs.
 void search_pairs(const Cell& cell, ListDraft& draft);
 
-/// Puts the new list in the place of the old one; the contact state and the count of crossed cells survive.
+/// Replaces the old list by the new one; keeps the contact state and the count of crossed cells.
 template <class Numerics>
 void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
                 Rows<typename Numerics::Real, Numerics::spins>& rows,
                 ContactState<typename Numerics::Real>& contact_state, std::vector<Image>& image,
                 ListDisplacement& displacement);
 
-/// Adds the largest displacements of this step to those of the inner list, and says whether it must be noted
-/// anew.
+/// Adds the largest displacements of this step to those of the inner list, and decides whether the inner list
+/// must be built again.
 void watch_inner_list(const std::int64_t& step, const double& time_step,
                       const StepDisplacement& step_displacement, const Cell& cell, const PairList& pairs,
                       InnerList& inner);

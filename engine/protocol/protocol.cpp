@@ -80,7 +80,7 @@ double cell_inertia(double beta, double mass, double sphere_volume) {
 
 std::vector<Barostat> baths_of(const Protocol& p, const Packing& start) {
   const double mass = std::accumulate(start.mass.begin(), start.mass.end(), 0.0);
-  // Of the radii that the simulation keeps: a run that goes on from a checkpoint knows no others.
+  // Uses the rounded radii of the simulation, because a run resumed from a checkpoint knows no others.
   double cubes = 0;
   for (const double radius : start.radius) {
     const double kept = kept_radius(p.precision, radius);

@@ -66,14 +66,15 @@ Outcome ProtocolRun::compact_on(std::atomic<bool>* attention) {
   if (verdict == Verdict::diverged) return {verdict, now_.fault(), false};
   const std::string fault = fault_of(now_.packing(), simulation_->model());
   if (fault.empty()) return {verdict, {}};
-  // Whether a fault ends a run, the Monitor says at its own steps, not whoever stops it in between.
+  // In an uninterrupted run the Monitor checks for faults at its own steps. A run that is stopped in between
+  // must not end with another verdict.
   const bool stopped =
       verdict == Verdict::interrupted || (verdict == Verdict::budget && now_.step() < protocol_.steps);
   if (stopped) return {verdict, {}, false};
   return {Verdict::diverged, fault, false};
 }
 
-/// Numbers that leave their range are an outcome, too, seen in a step or after it.
+/// A NumericalFailure, within a step or after it, is an outcome of the run, too.
 Outcome ProtocolRun::go(std::atomic<bool>* attention) {
   try {
     return compact_on(attention);
@@ -97,7 +98,8 @@ std::vector<RestingState> ProtocolRun::reached(Verdict verdict) {
 }
 
 std::int64_t ProtocolRun::lists_built() const {
-  // The list with which a run goes on is none that it would have built.
+  // A resumed run builds a list at its beginning, which the uninterrupted run would not build; it is not
+  // counted.
   return past_.lists_built + simulation_->neighbours().builds - (goes_on_ ? 1 : 0);
 }
 

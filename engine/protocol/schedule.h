@@ -8,16 +8,15 @@
 
 namespace furnas {
 
-/// Events of whoever runs a protocol, by their turn among those of the protocol.
+/// Events that the caller adds to a protocol, in three groups by their place in the order of events.
 struct Onlookers {
-  Events before_verdict;  ///< they see the packing as the step left it: a history, frames
-  Events after_verdict;   ///< they see what the verdict left: progress, checkpoints
-  Events limits;          ///< they may end the run besides its steps: a wall time, a signal
+  Events before_verdict;  ///< these see the packing directly after the step: history, frames
+  Events after_verdict;   ///< these see the packing after all events of the protocol: progress, checkpoints
+  Events limits;          ///< these may end the run: limits of the wall time, signals
 };
 
-/// All that can happen in a run, in the order in which events of one step happen. `later` are the baths that
-/// follow the one in which the run begins; the pressures at which the packing comes to rest are added to
-/// `reached`.
+/// All events of a run, in the order in which events of one step happen. `later` are the baths that follow
+/// the one in which the run begins; the pressures at which the packing comes to rest are added to `reached`.
 Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Barostat> later, RestWatch& watch,
                 std::vector<RestingState>& reached, Onlookers onlookers);
 

@@ -26,7 +26,8 @@ bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, 
                        const std::vector<double>& displacement, double shrunk) {
   if (shrunk >= 1) return false;
   const Vec3<double> height = heights(edges);
-  // A row tells images apart up to 3/8 of a cell.
+  // A row still means its image as long as the difference has changed by less than 3/8 of a cell; the limit
+  // here is 1/4.
   const double furthest = 0.25 * std::min({height.x, height.y, height.z});
   for (std::size_t a = 0; a < classes.size(); ++a) {
     for (std::size_t b = a; b < classes.size(); ++b) {
@@ -35,7 +36,7 @@ bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, 
         const double reach = radii + skin(radii);
         return moved <= furthest && (1 - shrunk) * (reach - moved) >= radii;
       };
-      // The condition is linear in the radii, so the ends of their range decide.
+      // The condition is linear in the radii, so it is enough to check the ends of their range.
       if (!holds(classes[a].smallest_radius + classes[b].smallest_radius) ||
           !holds(classes[a].largest_radius + classes[b].largest_radius))
         return false;
@@ -52,7 +53,8 @@ double shrinkage(const Triangle& now, const Triangle& then) {
 }
 
 double shrinkage_bound(const Triangle& now, const Triangle& then) {
-  // sigma_min(F) >= 1 - |F - I| in the spectral norm, which the Frobenius norm of strain_between bounds.
+  // sigma_min(F) >= 1 - |F - I| in the spectral norm, and strain_between, the Frobenius norm, is at least the
+  // spectral norm.
   return strain_between(then, now);
 }
 
@@ -72,8 +74,8 @@ bool is_too_wide(const PairList& list, const std::vector<double>& displacement, 
 Skin next_skin(const PairList& list, const std::vector<double>& displacement, double shrunk,
                std::int64_t step, std::optional<double> fixed) {
   if (fixed) return {*fixed, 0};
-  constexpr double build_cost = 40;     // needless pairs of a step that building a list is worth, a particle
-  constexpr double first_fixed = 0.05;  // before anything is known [smallest diameter]
+  constexpr double build_cost = 40;     // cost of building a list per particle, in tests of needless pairs
+  constexpr double first_fixed = 0.05;  // before the first measurement [smallest diameter]
   constexpr double first_relative = 0.01;
   const SizeClass& smallest = list.classes.back();
   const double diameter = 2 * smallest.smallest_radius;
@@ -82,8 +84,8 @@ Skin next_skin(const PairList& list, const std::vector<double>& displacement, do
 
   const double motion = 2 * *std::max_element(displacement.begin(), displacement.end()) / life;  // [d_s/step]
   const double strain = std::max(shrunk, 0.0) / life;                                            // [1/step]
-  // A shell of thickness s around a sphere holds 12 filled s/d needless pairs, which grow with the life of
-  // the list.
+  // A shell of thickness s around a sphere of diameter d contains 12 filled s/d needless pairs. s, and so
+  // this number, grows in proportion to the life of the list.
   const double filled = static_cast<double>(smallest.last - smallest.first) * sphere_volume(diameter / 2) /
                         list.edges.determinant();
   const double growth = 12 * filled * (motion / diameter + strain) + 1e-12;

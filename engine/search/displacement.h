@@ -7,40 +7,45 @@
 
 namespace furnas {
 
-/// How far the particles have moved since the neighbour list was built.
+/// Displacements of the particles since the neighbour list was built.
 struct ListDisplacement {
-  /// Upper bound for each size class: without the cell's affine part, in the cell of the list [d_s].
+  /// Upper bound for each size class, without the affine displacement by the cell, measured in the cell at
+  /// the time of the build [d_s].
   std::vector<double> largest;
-  bool suspect{};   ///< the bounds above no longer prove the list complete, or it is time to ask: measure
-  bool outdated{};  ///< a contact outside the list is possible, or it is too wide: build a new one
+  bool suspect{};   ///< the bounds no longer prove the list complete, or a check of its width is due: measure
+                    ///< the displacements
+  bool outdated{};  ///< a contact outside the list is possible, or the list is too wide: build a new one
 };
 
-/// Whether every pair that touches must still be in the list, and every row still mean the image it was
-/// listed for. For each pair of classes, two that were R_i + R_j + skin apart are now at least
-/// (1 - e) (R_i + R_j + skin - u_i - u_j) apart, with e the shrinkage of the cell since the build.
+/// Whether certainly every pair that touches is still in the list, and every row still means the image for
+/// which it was listed. Two particles that were R_i + R_j + skin apart are now at least (1 - e) (R_i + R_j +
+/// skin - u_i - u_j) apart, where u_i and u_j are the largest displacements of their classes and e is the
+/// shrinkage of the cell since the build.
 bool list_is_complete(const PairList& list, const std::vector<double>& displacement, double shrinkage);
 
-/// The same of any rows that were chosen by this skin in this cell.
+/// The same for any rows that were chosen with this skin in this cell.
 bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
                        const std::vector<double>& displacement, double shrinkage);
 
-/// 1 - the smallest singular value of F = edges_now edges_then^-1: no distance that moves with the cell
-/// has shrunk by a larger share.
+/// 1 - the smallest singular value of F = edges_now edges_then^-1: no distance that deforms with the cell has
+/// shrunk by a larger share.
 double shrinkage(const Triangle& now, const Triangle& then);
 
-/// A bound of `shrinkage` that costs a few operations.
+/// An upper bound of `shrinkage` that costs only a few operations.
 double shrinkage_bound(const Triangle& now, const Triangle& then);
 
-/// Whether a list is to be asked for its width in this step: at ages of 128, 256, 512, ... steps.
+/// Whether the width of a list is to be checked in this step: at ages of 128, 256, 512, ... steps.
 bool is_time_to_ask(const PairList& list, std::int64_t step);
 
-/// Whether the list is so much wider than what the packing has needed under it that a new one pays. A packing
-/// that comes to rest would otherwise keep the needless pairs of its motion for good.
+/// Whether the skin of the list is more than twice as wide as the skin that the motion since its build calls
+/// for, so that a new list is worthwhile. Without this check a packing at rest would keep the wide list that
+/// its earlier motion needed.
 bool is_too_wide(const PairList& list, const std::vector<double>& displacement, double shrunk,
                  std::int64_t step, std::optional<double> fixed);
 
-/// The skin for the next list, from how fast particles moved and the cell shrank under the last one: the
-/// life that makes building and needless pairs together cheapest, and the room needed to live so long.
+/// The skin for the next list, from the speed of the particles and of the cell's shrinkage since the last
+/// build. First the life of the list is chosen that minimizes the cost of building plus the cost of needless
+/// pairs; the skin follows from this life.
 Skin next_skin(const PairList& list, const std::vector<double>& displacement, double shrunk,
                std::int64_t step, std::optional<double> fixed);
 

@@ -12,13 +12,14 @@
 namespace furnas {
 namespace {
 
-/// Places in the cell are rounded to 2^-53 of it here, contacts are not: bins and reach are this much wider.
+/// Positions are rounded here to 2^-53 of the cell, but not when forces are computed. Therefore bins and
+/// reach are wider by this share.
 constexpr double tolerance = 1e-9;
 
 constexpr std::size_t chunk = 512;  ///< particles
 
-/// One image of a partner as one number, so that rows sort by partner, then by image: the partner in the
-/// upper half, the quarters in the lower, each from 0.
+/// A partner and its image as one number, so that rows are sorted by partner, then by image. The partner is
+/// in the upper half, the quarters, shifted to positive values, in the lower half.
 struct Found {
   std::uint64_t key;
   Found(std::uint32_t partner, const Quarter& q)
@@ -49,23 +50,26 @@ Quarter quarters_of(const Vec3<double>& d) {
           static_cast<std::int8_t>(std::nearbyint(4 * d.z))};
 }
 
-/// Of an image of a particle and its mirror image only one counts.
+/// A particle and its own image form the same pair as the particle and the opposite image. Only one of the
+/// two counts.
 bool is_first_of_mirror(const Vec3<double>& k) { return std::tie(k.x, k.y, k.z) > std::tuple(0.0, 0.0, 0.0); }
 
-/// Nearest images alone are right when no pair in reach can be met twice.
+/// Whether rows must store images. If no pair can be in reach in two images, the nearest image is always the
+/// right one.
 bool needs_images(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges) {
   const double radii = 2 * classes.front().largest_radius;
   const Vec3<double> h = heights(edges);
   return std::min({h.x, h.y, h.z}) < 2.1 * (radii + skin(radii));
 }
 
-/// What makes two particles a pair of the list.
+/// The criterion by which two particles are a pair of the list.
 class Nearness {
  public:
   Nearness(const Triangle& edges, const std::vector<double>& radii, const Skin& skin, bool images)
       : edges_(edges), radii_(radii), skin_(skin), images_(images) {}
 
-  /// Whether two of these indices, so far apart, are listed. `most` bounds their reach.
+  /// Whether particles i and j with this difference of positions are listed. `most` is an upper bound of
+  /// their reach.
   bool operator()(std::uint32_t i, std::uint32_t j, const Vec3<double>& difference, double most) const {
     const Vec3<double> branch = edges_ * difference;
     const double square = dot(branch, branch);
@@ -87,14 +91,14 @@ class Nearness {
   bool images_;
 };
 
-/// Particles of several runs of bins, one after the other.
+/// The particles of several runs of bins in one array.
 class Gathered {
  public:
-  /// Forgets all of them.
+  /// Removes all particles.
   void clear() { count_ = 0; }
 
-  /// Adds a run. A loop over the few particles of it would cost the processor a wrong guess, so it takes four
-  /// at once; the next run overwrites those that are too many.
+  /// Adds a run. A loop over its few particles would cost a mispredicted branch, so four particles are copied
+  /// at once; the next run overwrites the surplus.
   void add(const Placed* at, const Placed* end) {
     const auto more = static_cast<std::size_t>(end - at);
     if (room_.size() < count_ + more + Grid::spare) room_.resize(2 * (count_ + more + Grid::spare));
@@ -106,12 +110,12 @@ class Gathered {
     count_ += more;
   }
 
-  /// Leaves those that come before `i` and are less than `reach` from `s`.
+  /// Keeps the particles that come before `i` and are less than `reach` away from `s`.
   void keep_near(std::uint32_t i, const Vec3<double>& s, const Triangle& edges, double reach) {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < count_; ++n) {
       const Vec3<double> branch = edges * (s - room_[n].fraction);
-      // Both are asked, so that nothing branches.
+      // Both conditions are always evaluated, to avoid a branch.
       const int near =
           static_cast<int>(room_[n].index < i) & static_cast<int>(dot(branch, branch) < reach * reach);
       room_[kept] = room_[n];
@@ -128,7 +132,7 @@ class Gathered {
   std::vector<Placed> room_;
 };
 
-/// Appends the partners of particle `i` in its own class, those that come before it in memory.
+/// Appends the partners of particle `i` that are in its own class and come before it in memory.
 void find_equals(const Grid& grid, const Vec3<double>& height, const Nearness& near, std::uint32_t i,
                  const Vec3<double>& s, Gathered& inside, std::vector<Found>& found) {
   const auto reach = [&](int axis, double h) {
@@ -168,16 +172,16 @@ void find_smaller(const Grid& grid, const Triangle& edges, const Nearness& near,
   });
 }
 
-/// Partners of larger classes, piece by piece of those.
+/// All pairs of particles of different classes, in pieces of `few` larger particles.
 std::vector<std::vector<Across>> find_across(const std::vector<Grid>& grids, const Triangle& edges,
                                              const Nearness& near, const PairList& list) {
-  const std::size_t larger = list.classes.back().first;  // none is smaller than the last class
-  constexpr std::size_t few = 4;                         // a large sphere may have thousands
+  const std::size_t larger = list.classes.back().first;  // particles before the smallest class
+  constexpr std::size_t few = 4;  // few, because a large sphere may have thousands of partners
   std::vector<std::vector<Across>> pieces((larger + few - 1) / few);
   for_chunks(larger, few, [&](std::size_t begin, std::size_t end, std::size_t piece) {
     for (std::size_t j = begin; j < end; ++j)
       for (std::size_t c = 0; c < grids.size(); ++c) {
-        if (list.classes[c].first <= j) continue;  // of its own class or larger
+        if (list.classes[c].first <= j) continue;  // class c is that of j, or larger
         const double sum = list.classes[c].largest_radius + near.radius(j);
         find_smaller(grids[c], edges, near, (1 + 2 * tolerance) * (sum + list.skin(sum)),
                      static_cast<std::uint32_t>(j), in_unit_cell(list.reference[j]), pieces[piece]);
@@ -215,7 +219,8 @@ std::vector<Piece> find_within(const std::vector<Grid>& grids, const Triangle& e
   return pieces;
 }
 
-/// Puts the rows of each particle together: partners of larger classes first, for those come first in memory.
+/// Collects the rows of each particle. Partners of larger classes come first, because they come first in
+/// memory.
 void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vector<Piece>& within,
                   bool images, PairList& list) {
   const std::size_t count = list.reference.size();
@@ -248,7 +253,7 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
     for (std::size_t n = 0; n < within[piece].count.size(); ++n) {
       const std::size_t i = piece * chunk + n;
       const std::uint64_t own = list.first[i + 1] - within[piece].count[n];
-      // Threads have put the partners of larger classes there in any order.
+      // The threads have written the partners of larger classes in any order; here they are sorted.
       larger_ones.clear();
       for (std::uint64_t row = list.first[i]; row < own; ++row)
         larger_ones.emplace_back(list.partner[row], images ? list.quarter[row] : Quarter{});
@@ -299,7 +304,7 @@ void index_incoming(PairList& list) {
       list.incoming[place[list.partner[k]].fetch_add(1, std::memory_order_relaxed)] =
           static_cast<RowNumber>(k);
   });
-  // Threads fill in any order; sorted, the order is that of the rows again.
+  // The threads write in any order; sorting restores the order of the rows.
   for_chunks(count, 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t j = begin; j < end; ++j)
       std::sort(list.incoming.begin() + static_cast<std::ptrdiff_t>(list.incoming_first[j]),

@@ -7,18 +7,18 @@
 
 namespace furnas {
 
-/// A grid of each size class, for contacts of two of its spheres with the skin.
+/// A grid for each size class; its bins are as wide as the sum of two radii of the class plus skin.
 std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
                               const std::vector<Fraction>& positions);
 
-/// Lists every pair, each image of it apart, whose surfaces are closer than the skin: fills `first`,
-/// `partner`, `quarter` and `edges` of `list` from its classes, skin and reference positions. A sphere looks
-/// for equals in the bins around it; a larger one looks for smaller ones in the bins of their grid that its
-/// ball touches.
+/// Lists every pair whose surfaces are closer than the skin; each image of a pair gets its own row. Fills
+/// `first`, `partner`, `quarter` and `edges` of `list` from its classes, skin and reference positions.
+/// Partners of the same class are searched in the bins around a sphere. Partners of a smaller class are
+/// searched from the larger sphere, in the bins of their grid that lie within its reach.
 void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std::vector<double>& radii,
                 PairList& list);
 
-/// Fills `incoming_first` and `incoming` from the rows.
+/// Computes `incoming_first` and `incoming` from the rows.
 void index_incoming(PairList& list);
 
 }  // namespace furnas

@@ -10,8 +10,8 @@
 namespace furnas {
 namespace {
 
-/// Refuses a cell so thin that spheres meet across thirty cells or more: a row of the list cannot tell more
-/// images apart, and beyond a few nothing physical is left.
+/// Rejects a cell so thin that spheres touch across thirty cells or more. A row of the list cannot
+/// distinguish more images, and a cell so thin has no physical meaning.
 void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
   constexpr double most_cells = 30;
   for (double height : heights) {
@@ -25,7 +25,8 @@ void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
   }
 }
 
-/// Bins along each edge: as narrow as the cutoff, but no more than two a particle in all.
+/// Number of bins along each edge: bins are about as wide as the cutoff, but there are at most about two per
+/// particle in all.
 std::array<std::int64_t, 3> bins_along(const std::array<double, 3>& heights, double cutoff,
                                        std::size_t particles) {
   std::array<double, 3> wanted{};

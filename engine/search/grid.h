@@ -19,18 +19,17 @@ struct Placed {
   std::uint32_t index;    ///< of the particle
 };
 
-/// The particles of one size class in the bins of a grid that fills the cell. Bins grow where they would be
-/// empty, so that there are never more than a few a particle: a dilute gas in a huge cell is as cheap as a
-/// packing.
+/// The particles of one size class in the bins of a grid that fills the cell. In dilute systems the bins are
+/// larger, so that there are at most about two bins per particle. A dilute gas in a huge cell then costs no
+/// more than a packing.
 struct Grid {
   std::array<std::int64_t, 3> count{};  ///< bins along each edge
-  double cutoff{};                      ///< two of the class are listed within this distance at most [d_s]
-  std::vector<std::uint32_t> start;     ///< entries of a bin are [start[bin], start[bin + 1])
-  std::vector<Placed>
-      entries;  ///< in the order of the bins, in one in any order; then `spare` that mean nothing
+  double cutoff{};  ///< largest distance at which two particles of the class are listed [d_s]
+  std::vector<std::uint32_t> start;  ///< entries of a bin are [start[bin], start[bin + 1])
+  std::vector<Placed> entries;  ///< sorted by bin, in any order within a bin; then `spare` unused entries
   static constexpr std::size_t spare = 4;
 
-  /// Bin along an edge of a fraction in [0, 1].
+  /// Number of the bin along an edge, for a fraction in [0, 1].
   std::int64_t coordinate(int axis, double fraction) const {
     const auto c = static_cast<std::int64_t>(fraction * static_cast<double>(count[axis]));
     return c < count[axis] ? c : count[axis] - 1;
@@ -40,15 +39,15 @@ struct Grid {
   }
 };
 
-/// Sorts particles [first, last) into bins. Throws NumericalFailure when the cell is less than a thirtieth of
-/// the cutoff thick, or has no finite edges.
+/// Sorts particles [first, last) into bins. Throws NumericalFailure if the thickness of the cell is a
+/// thirtieth of the cutoff or less, or if its edges are not finite.
 Grid make_grid(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
                std::size_t first, std::size_t last);
 
-/// A bin along one edge of a grid that goes on beyond the cell.
+/// A bin along one edge of the grid, which continues periodically beyond the cell.
 struct Wrapped {
   std::int64_t index;  ///< in [0, count)
-  std::int64_t cell;   ///< cells to the right of the first
+  std::int64_t cell;   ///< which cell it lies in, counted from the original cell 0
 };
 
 inline Wrapped wrapped(std::int64_t bin, std::int64_t count) {
@@ -57,8 +56,8 @@ inline Wrapped wrapped(std::int64_t bin, std::int64_t count) {
   return {bin - cell * count, cell};
 }
 
-/// Calls visit(entries begin, entries end, image) for the bins [low, high] along x in column (y, z), the
-/// image being the cell in which they lie, relative to the first.
+/// Calls visit(entries begin, entries end, image) for the bins [low, high] along x in column (y, z). `image`
+/// is the cell in which the bins lie, relative to the original cell.
 template <class Visit>
 void visit_run(const Grid& grid, std::int64_t low, std::int64_t high, const Wrapped& y, const Wrapped& z,
                Visit&& visit) {
@@ -74,10 +73,10 @@ void visit_run(const Grid& grid, std::int64_t low, std::int64_t high, const Wrap
   }
 }
 
-/// Two bounds of a number.
+/// An interval of numbers.
 struct Bounds {
   double low, high;
-  /// The smallest size of what lies in it.
+  /// The smallest absolute value in the interval.
   double least() const { return low > 0 ? low : high < 0 ? -high : 0; }
   Bounds operator+(const Bounds& b) const { return {low + b.low, high + b.high}; }
 };
@@ -85,9 +84,9 @@ inline Bounds operator*(double a, const Bounds& b) {
   return a >= 0 ? Bounds{a * b.low, a * b.high} : Bounds{a * b.high, a * b.low};
 }
 
-/// The bins whose points may be within `radius` of a centre in the cell `edges`: slabs along z, columns along
-/// y, runs along x. With upper-triangular edges each bound follows from the one before. Calls visit as
-/// visit_run() does.
+/// Visits all bins with points that may be within `radius` of a centre in the cell `edges`: first slabs along
+/// z, in them columns along y, in them runs along x. Because the edges are upper-triangular, the bounds of y
+/// follow from those of z, and the bounds of x from both. Calls visit as visit_run() does.
 template <class Visit>
 void visit_ball(const Grid& grid, const Triangle& edges, const Vec3<double>& centre, double radius,
                 Visit&& visit) {
@@ -95,7 +94,7 @@ void visit_ball(const Grid& grid, const Triangle& edges, const Vec3<double>& cen
     const double width = 1 / static_cast<double>(grid.count[axis]);
     return Bounds{static_cast<double>(bin) * width - middle, static_cast<double>(bin + 1) * width - middle};
   };
-  // Bins along an axis in which |step s + rest| can be below `reach`.
+  // First and last bin along an axis in which |step s + rest| can be below `reach`.
   const auto bins = [&](int axis, double step, const Bounds& rest, double reach, double middle) {
     const auto n = static_cast<double>(grid.count[axis]);
     return std::pair{static_cast<std::int64_t>(std::floor(((-reach - rest.high) / step + middle) * n)),

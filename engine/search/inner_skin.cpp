@@ -7,9 +7,10 @@
 namespace furnas {
 
 void choose_inner_skin(const PairList& list, double motion, double strain, InnerList& inner) {
-  // A list lives skin/motion steps, and needless rows grow with the skin: with inner list of skin s a step
-  // costs (motion/s + s/list skin) of going through the list, the least at the geometric mean.
-  constexpr double margin = 1.2;  // motion grows
+  // An inner list of skin s lives s/motion steps, and the number of its needless rows grows with s. In units
+  // of one pass through the whole list, a step costs motion/s + s/(skin of the list). The cost is least if s
+  // is the geometric mean of `motion` and the skin of the list.
+  constexpr double margin = 1.2;  // in case the motion becomes faster
   const auto between = [](double wide, double step) {
     return std::max(std::sqrt(margin * wide * step), 0.01 * wide);
   };

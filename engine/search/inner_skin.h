@@ -6,15 +6,17 @@
 
 namespace furnas {
 
-/// Whether an inner list pays under this list, and the skin for them, while no particle moves further than
-/// `motion` [d_s] and the cell is strained by no more than `strain` in a step: the life that makes going
-/// through the list and through needless rows of it together cheapest. Answers through `inner`.
+/// Chooses the skin of the inner list, and whether an inner list is worthwhile; sets `kept` and `skin` of
+/// `inner`. `motion` is the largest change of a distance by the particles' motion in a step [d_s], and
+/// `strain` the largest strain of the cell in a step. The skin minimizes the cost of the passes through the
+/// whole list plus the cost of needless rows in the inner list.
 void choose_inner_skin(const PairList& list, double motion, double strain, InnerList& inner);
 
-/// Rows that a step looks at while the inner list is not outdated.
+/// Number of rows that a step tests while the inner list is not outdated.
 std::uint64_t inner_rows(const PairList& list, const InnerList& inner);
 
-/// Gives the inner list up, until one is chosen again, if its rows are not much fewer than the list's.
+/// Drops the inner list, until the next choose_inner_skin(), if it has more than 60 % of the rows of the
+/// list.
 void drop_inner_list_if_needless(const PairList& list, InnerList& inner);
 
 }  // namespace furnas

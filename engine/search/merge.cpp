@@ -17,7 +17,8 @@ std::array<std::int8_t, 3> image_of_row(const PairList& list, std::uint64_t k, c
 
 std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& image, const Fraction& i,
                                              const Fraction& j) {
-  // A difference of half a cell is its own opposite: both nearest images are the same one.
+  // In 64 bits the difference of half a cell, -1/2, is its own negative. Seen from i and from j the nearest
+  // image is then at -1/2, so the number of cells changes by 1.
   const auto component = [](std::int8_t cells, std::uint64_t difference) {
     const bool half = difference == std::uint64_t{1} << 63;
     return static_cast<std::int8_t>((half ? 1 : 0) - cells);

@@ -33,7 +33,7 @@ std::size_t class_of(double radius, const std::vector<double>& bounds) {
   return c;
 }
 
-/// Spreads the 21 leading bits of a fraction to every third bit.
+/// Spreads the 21 leading bits of a fraction, so that each is followed by two zero bits.
 std::uint64_t spread(std::uint64_t fraction) {
   std::uint64_t x = fraction >> 43;
   x = (x | x << 32) & 0x1f00000000ffff;

@@ -14,11 +14,11 @@
 namespace furnas {
 namespace {
 
-/// Spheres of about one size in a periodic cube, found through hashed bins: memory follows the spheres, not
-/// the cube.
+/// Spheres of about one size in a periodic cube, sorted into hashed bins. The memory is proportional to the
+/// number of spheres, not to the volume of the cube.
 class Occupied {
  public:
-  /// `radius` and `probe_radius` are the largest that come.
+  /// `radius` and `probe_radius` are upper bounds of the radii of the spheres and of the probes.
   Occupied(double length, double radius, double probe_radius, std::size_t expected)
       : length_(length),
         bins_(std::max(1.0, std::floor(length / (radius + probe_radius)))),
@@ -30,7 +30,7 @@ class Occupied {
     head = static_cast<std::uint32_t>(spheres_.size() - 1);
   }
 
-  /// Whether a probe centred at `s` touches one of the spheres; `radii` are those of the ids.
+  /// Whether a probe centred at `s` touches one of the spheres; `radii` is indexed by id.
   bool touches(const Vec3<double>& s, double probe_radius, const std::vector<double>& radii) const {
     const std::int64_t reach = bins_ > 2 ? 1 : 0;
     const std::int64_t extra = bins_ > 2 ? 0 : static_cast<std::int64_t>(bins_) - 1;
@@ -51,8 +51,8 @@ class Occupied {
 
   std::int64_t bin(double s) const { return static_cast<std::int64_t>(s * bins_); }
 
-  /// Bins that follow each other along z do so in memory, which for many spheres is far away: a look costs
-  /// nine ways there, not 27.
+  /// Place of a bin in the hash table. Neighbouring bins along z are neighbours in memory. For many spheres
+  /// the table is not in the cache, so a search then needs nine accesses to memory instead of 27.
   std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
     const auto n = static_cast<std::int64_t>(bins_);
     const auto wrap = [n](std::int64_t a) {
@@ -74,11 +74,11 @@ class Occupied {
   std::vector<Sphere> spheres_;
 };
 
-/// Spheres in classes of size, each at most twice as large in diameter at its upper end as at its lower one,
-/// and what a probe of each class must be asked about.
+/// Spheres sorted into size classes; within a class the largest diameter is at most twice the smallest. For
+/// each class of probes there are separate bins with the spheres that a probe may touch.
 class OccupiedByAll {
  public:
-  /// `order`: the ids, biggest first.
+  /// `order`: the ids, largest sphere first.
   OccupiedByAll(double length, const std::vector<double>& radii, const std::vector<std::uint32_t>& order)
       : radii_(radii) {
     for (const std::uint32_t id : order) {
@@ -91,7 +91,7 @@ class OccupiedByAll {
                                          classes_[other].count);
   }
 
-  /// Spheres come biggest first.
+  /// Must be called in the order of the ids, largest sphere first.
   bool touches(const Vec3<double>& s, std::uint32_t id) {
     while (radii_[id] < classes_[present_].largest / 2) ++present_;
     const double radius = radii_[id];
@@ -109,7 +109,7 @@ class OccupiedByAll {
   struct Class {
     double largest;             ///< radius [d_s]
     std::size_t count;          ///< spheres
-    std::vector<Occupied> met;  ///< spheres of each class down to this one, for probes of this one
+    std::vector<Occupied> met;  ///< for probes of this class: spheres, by class down to this one
   };
 
   const std::vector<double>& radii_;
@@ -124,7 +124,7 @@ Vec3<double> random_place(std::uint64_t seed, std::uint64_t particle, std::uint3
   return {unit(words[0]), unit(words[1]), unit(words[2])};
 }
 
-/// Ids with the biggest first, equal ones as they come.
+/// The ids sorted by radius, largest first; equal radii keep their order.
 std::vector<std::uint32_t> biggest_first(const std::vector<double>& radii) {
   std::vector<std::uint32_t> order(radii.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -133,7 +133,7 @@ std::vector<std::uint32_t> biggest_first(const std::vector<double>& radii) {
   return order;
 }
 
-/// Edge of the cube in which the spheres are a gas [d_s].
+/// Edge of the cube that the spheres fill to start_fraction [d_s].
 double length_of(const std::vector<double>& radii, const GasOptions& options) {
   double volume = options.sphere_volume;
   if (volume == 0)

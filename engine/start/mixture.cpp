@@ -33,7 +33,7 @@ Packing dilute_start(const Mixture& m) {
                                  .seed = m.seed,
                                  .sphere_volume = static_cast<double>(large) * sphere_volume(large_radius) +
                                                   static_cast<double>(small) * sphere_volume(small_radius)});
-  // By name: spheres of a size ratio of 1 are large and small, too.
+  // The species is set explicitly, so that both species also exist if the size ratio is 1.
   for (std::size_t k = 0; k < p.size(); ++k) p.species[k] = k < large ? Species::large : Species::small;
   return p;
 }

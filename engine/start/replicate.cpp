@@ -9,7 +9,7 @@
 namespace furnas {
 namespace {
 
-/// A place along one edge: a cell and the fraction within it, in units of 2^-64.
+/// A position along one edge: a cell, and the fraction within this cell in units of 2^-64.
 struct Place {
   std::int32_t cell;
   std::uint64_t fraction;
@@ -20,14 +20,15 @@ struct Place {
 std::uint64_t divided(const Place& place, std::int32_t times) {
   const auto n = static_cast<std::uint64_t>(times);
   const auto m = static_cast<std::uint64_t>(place.cell);
-  // 2^64 = quotient n + rest, though it has no 64 bits itself; for n = 1 only m = 0 exists.
+  // Computes quotient and rest of 2^64 = quotient n + rest, although 2^64 does not fit in 64 bits. For n = 1
+  // the quotient overflows, but then m = 0.
   const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t quotient = largest / n + (largest % n + 1) / n;
   const std::uint64_t rest = (largest % n + 1) % n;
   return m * quotient + place.fraction / n + (place.fraction % n + m * rest) / n;
 }
 
-/// Cells between the difference of two fractions and the nearest image of it.
+/// Number of cells between the difference of two fractions and its nearest image.
 std::int32_t cells_to_nearest(std::uint64_t i, std::uint64_t j) {
   const bool nearest_is_negative = static_cast<std::int64_t>(i - j) < 0;
   return (i < j && !nearest_is_negative ? 1 : 0) - (i >= j && nearest_is_negative ? 1 : 0);
@@ -35,7 +36,7 @@ std::int32_t cells_to_nearest(std::uint64_t i, std::uint64_t j) {
 
 std::int32_t floored_quotient(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
-/// One edge of the packing and of its replicate.
+/// One edge of the packing and of its replica.
 struct Edge {
   std::uint64_t Fraction::*component;
   std::size_t axis;
@@ -44,8 +45,8 @@ struct Edge {
   std::uint64_t fraction(const Fraction& s, std::int32_t cell) const {
     return divided({cell, s.*component}, times);
   }
-  /// Cells crossed by the copy in `cell`: so that the copies of a way are whole cells of the old packing
-  /// apart.
+  /// Number of new cells crossed by the copy in `cell`, such that the unwrapped positions of the copies
+  /// differ by whole old cells.
   std::int32_t image(const Image& image, std::int32_t cell) const {
     return floored_quotient(image[axis] - cell + times - 1, times);
   }
@@ -65,7 +66,7 @@ std::array<Edge, 3> edges_of(const Times& times) {
   return {{{&Fraction::x, 0, times[0]}, {&Fraction::y, 1, times[1]}, {&Fraction::z, 2, times[2]}}};
 }
 
-/// The old cells in the new one, by their number and back.
+/// Conversion between the position of an old cell in the new one and its number.
 std::size_t number_of(const Times& cell, const Times& times) {
   const auto at = [](std::int32_t n) { return static_cast<std::size_t>(n); };
   return (at(cell[2]) * at(times[1]) + at(cell[1])) * at(times[0]) + at(cell[0]);
@@ -93,7 +94,7 @@ const Times& checked(const Times& times, const Packing& packing) {
   return times;
 }
 
-/// Copies have the types of their particles, and new ids.
+/// Copies keep the types of their originals and get new ids.
 Labels repeated_labels(const Labels& from, std::size_t copies) {
   Labels labels;
   labels.names = from.names;
@@ -153,7 +154,7 @@ Replica::Replica(const Packing& from, const Times& times)
       contacts(from.contacts.size() * copies_of(times), [this](std::size_t k) { return moved(k); }),
       labels(repeated_labels(from.labels, copies_of(times))) {}
 
-/// The contact of a copy: its first particle is in the copy's cell.
+/// A contact of a copy, whose first particle is in the cell of the copy.
 Contact Replica::moved(std::size_t k) const {
   const Times place = cell_at(k / from_.contacts.size(), times_);
   Contact c = from_.contacts[k % from_.contacts.size()];
@@ -161,7 +162,8 @@ Contact Replica::moved(std::size_t k) const {
   for (const Edge& e : edges_of(times_)) {
     const std::uint64_t i = from_.fraction[c.i].*e.component;
     const std::uint64_t j = from_.fraction[c.j].*e.component;
-    // The branch is (s_i - s_j + away) old edges: j is touched `away` cells below that of i.
+    // The branch is (s_i - s_j + away) old edges: the image of j that is touched lies `away` cells below the
+    // cell of i.
     const std::int32_t away = cells_to_nearest(i, j) + c.image[e.axis];
     const std::int32_t below = place[e.axis] - away;
     const std::int32_t new_away = -floored_quotient(below, e.times);

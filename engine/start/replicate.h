@@ -11,7 +11,7 @@
 
 namespace furnas {
 
-/// How often a cell is repeated along each of its edges, 1 or more.
+/// Number of repetitions of a cell along each of its edges, 1 or more.
 using Times = std::array<std::int32_t, 3>;
 
 inline std::size_t copies_of(const Times& times) {
@@ -19,7 +19,7 @@ inline std::size_t copies_of(const Times& times) {
          static_cast<std::size_t>(times[2]);
 }
 
-/// A list that is worked out element by element when it is asked for.
+/// A list whose elements are computed when they are read.
 template <class T>
 class Computed {
  public:
@@ -35,17 +35,18 @@ class Computed {
   std::function<T(std::size_t)> element_;
 };
 
-/// The same infinite packing described by a larger cell: times[a] cells along edge a make the new one. It has
-/// the parts of a Packing but no memory for them, so that it may be larger than the machine; the packing that
-/// it repeats must outlive it.
+/// The same infinite packing described by a larger cell, which consists of times[a] old cells along edge a. A
+/// replica has the members of a Packing but does not store them, so it may be larger than the memory of the
+/// machine. The original packing must outlive the replica.
 ///
-/// Particle k of copy c has the index c N + k, copies counted along the first edge first; so have contacts.
-/// Fractions are divided as the integers they are, so a place moves by at most 2^-64 of the new edge:
-/// contacts stay, forces agree to rounding, and each contact keeps its force and history. Sums (stress times
-/// volume, ledger) grow with the volume.
+/// Particle k of copy c has the index c N + k, where N is the number of particles and copies are counted
+/// along the first edge first; contacts are numbered in the same way. Fractions are divided as integers, so a
+/// position changes by at most 2^-64 of the new edge. Therefore contacts stay, recomputed forces agree to
+/// rounding, and each contact keeps its force and history. Sums (stress times volume, ledger) grow with the
+/// volume.
 class Replica {
  public:
-  /// Throws InputError for times below 1 and for more particles than 32 bits can count.
+  /// Throws InputError if one of `times` is below 1, or for more than most_particles particles.
   Replica(const Packing& from, const Times& times);
   Replica(const Replica&) = delete;
   Replica& operator=(const Replica&) = delete;
@@ -53,8 +54,8 @@ class Replica {
   std::size_t size() const { return radius.size(); }
   Vec3<double> position(std::size_t k) const { return cell.edges * in_unit_cell(fraction[k]); }
 
-  /// The order that the engine chooses; it takes 60 bytes a particle. Empty if the packing has none, as a
-  /// start.
+  /// The order that the engine chooses; computing it takes 60 bytes per particle. Empty if the original
+  /// packing has no order, as a start.
   std::vector<std::uint32_t> memory_order() const;
 
  private:
@@ -80,8 +81,8 @@ class Replica {
   const Labels labels;
 };
 
-/// The same as a packing. One with an `order` goes on with its contacts in the order that the engine chooses
-/// for the new one; one without stays a start.
+/// The replica as a packing. If the original has an `order`, the new packing gets the order that the engine
+/// chooses, and continues with its contacts. If it has none, the new packing is a start, too.
 Packing replicate(const Packing& packing, const Times& times);
 
 }  // namespace furnas

@@ -29,7 +29,7 @@ inline double contraction(const Triangle& a, const Triangle& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + a.yz * b.yz + a.xz * b.xz + a.xy * b.xy;
 }
 
-/// Whether all six are numbers.
+/// Whether all six components are finite.
 inline bool finite(const Triangle& t) {
   return finite(Vec3<double>{t.xx, t.yy, t.zz}) && finite(Vec3<double>{t.yz, t.xz, t.xy});
 }

@@ -15,7 +15,7 @@ static_assert(sizeof(Vec3<double>) == 3 * sizeof(double) && sizeof(Triangle) == 
                   sizeof(Fraction) == 3 * sizeof(std::uint64_t),
               "hashed as bytes: there must be no padding");
 
-/// What tells a contact from all others, the same whichever particle is named first.
+/// The key that identifies a contact; it does not depend on which particle is named first.
 struct Key {
   std::uint32_t i{}, j{};
   std::array<std::int8_t, 3> image{};
@@ -27,8 +27,8 @@ std::array<std::int8_t, 3> opposite(const std::array<std::int8_t, 3>& image) {
           static_cast<std::int8_t>(-image[2])};
 }
 
-/// Whether the contact is seen from its second particle. A contact of a particle with its own image has
-/// two descriptions, too: the description whose image comes first counts.
+/// Whether the two particles of a contact must be exchanged for its key. A contact of a particle with its own
+/// image also has two descriptions; the key uses the one whose image comes first.
 bool reversed(const Contact& c) { return c.i > c.j || (c.i == c.j && opposite(c.image) < c.image); }
 
 Key key(const Contact& c) { return reversed(c) ? Key{c.j, c.i, opposite(c.image)} : Key{c.i, c.j, c.image}; }
@@ -39,7 +39,7 @@ void add_contact(Hasher& hasher, const Contact& c) {
   hasher.add(k.j);
   hasher.add(k.image);
   const Vec3<double> history = reversed(c) ? -c.history : c.history;
-  hasher.add(history + Vec3<double>{});  // turns -0 into 0: without friction the sign of zero means nothing
+  hasher.add(history + Vec3<double>{});  // turns -0 into 0: without friction the sign has no meaning
 }
 
 void add_contacts(Hasher& hasher, const std::vector<Contact>& contacts) {

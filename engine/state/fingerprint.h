@@ -7,12 +7,13 @@
 
 namespace furnas {
 
-/// A 64-bit hash of all that decides how a packing moves on: step, cell and its rate, positions, peculiar
-/// velocities, spins, and the contacts with their tangential history. Two runs agree bit by bit if theirs
-/// agree.
+/// A 64-bit hash of everything that determines the further motion of a packing: step, cell and its rate,
+/// positions, peculiar velocities, spins, and the contacts with their tangential histories. If the hashes of
+/// two runs agree, the runs agree bit by bit.
 ///
-/// Neither the order of particles in memory nor the order of the contacts, nor which of its two particles a
-/// contact names first, has an effect; nor has what is computed anew from the state (force, stress).
+/// The hash does not depend on the order of particles in memory, on the order of the contacts, or on which
+/// particle of a contact is named first. Quantities that are computed from the state (force, stress) are not
+/// included.
 std::uint64_t state_hash(const Packing& packing);
 
 /// A hash as 16 hexadecimal digits.

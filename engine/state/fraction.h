@@ -10,20 +10,21 @@ namespace furnas {
 
 /// A position inside the periodic cell, as a fraction of each edge in units of 2^-64.
 ///
-/// Integers make the cell's symmetries exact: the wrap through a face is overflow, the nearest image
-/// of a difference is a cast, and a flip of the cell is an integer matrix. Nothing is ever "just
-/// outside", and no bit depends on how often a particle has crossed a face.
+/// With integers the symmetries of the cell are exact: integer overflow wraps a position through a face, a
+/// cast to signed integers gives the nearest image of a difference, and a flip of the cell is an integer
+/// matrix. No position can lie just outside the cell because of rounding, and no bit depends on how often a
+/// particle has crossed a face.
 struct Fraction {
   std::uint64_t x{}, y{}, z{};
   friend constexpr bool operator==(const Fraction&, const Fraction&) = default;
 };
 
-/// Whole cells that a particle has crossed since the start, along each edge.
+/// Number of cells that a particle has crossed since the start, along each edge.
 using Image = std::array<std::int32_t, 3>;
 
 inline constexpr double two_to_64 = 18446744073709551616.0;
 
-/// The integer nearest to `fraction` * 2^64, modulo 2^64. Any value of a size below 2^63 is allowed.
+/// The integer nearest to `fraction` * 2^64, modulo 2^64. Absolute values below 2^63 are allowed.
 inline std::uint64_t to_fixed(double fraction) {
   const double part = fraction - static_cast<double>(std::llrint(fraction));  // exact, in [-1/2, 1/2]
   return part >= 0.5 ? (std::uint64_t{1} << 63) : static_cast<std::uint64_t>(std::llrint(part * two_to_64));

@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Energy of the particles at one instant [k_n d_s^2]. The cell is outside.
+/// Energy of the particles at one instant [k_n d_s^2]. The energy of the cell is not included.
 struct Energy {
   double kinetic{};     ///< of the peculiar translation and of the spin
   double normal{};      ///< stored in overlaps
@@ -16,7 +16,7 @@ struct Energy {
   double total() const { return kinetic + normal + tangential; }
 };
 
-/// Energy that contacts took out of the motion [k_n d_s^2].
+/// Energy dissipated by contacts [k_n d_s^2].
 struct Losses {
   double normal_damping{};
   double tangential_damping{};
@@ -35,10 +35,10 @@ struct Losses {
   }
 };
 
-/// What all contacts do to the energy of the particles at one instant.
+/// Work and losses of all contacts at one instant.
 struct ContactWork {
-  /// Sum of force_a branch_b, a <= b, over the forces that the flow of the cell works against; with the rate
-  /// e of the cell its power is -sum e_ab of that [k_n d_s^2].
+  /// Sum of force_a branch_b, a <= b, over the forces on which the flow of the cell does work [k_n d_s^2].
+  /// With the strain rate e of the cell the power is -sum e_ab push_ab.
   Triangle push;
   Losses losses;  ///< in a step [k_n d_s^2]
 
@@ -56,15 +56,16 @@ struct ContactWork {
 /// Where the energy of the particles came from and went since the run began [k_n d_s^2].
 struct Ledger {
   double initial{};    ///< energy at the start
-  double cell_work{};  ///< done by the moving cell on the particles
+  double cell_work{};  ///< work of the moving cell on the particles
   Losses losses;
   double quenched{};  ///< taken out between steps: motion by Quench, motion and springs by Minimize
-  ContactWork last;   ///< of the last step: a force acts over half a step before its instant and after it
+  ContactWork last;   ///< of the last step; its second half is booked with the next step
 
-  /// What the balance misses of `energy`: 0 but for the error of the time step.
+  /// Energy that is missing in the balance, if the energy is now `energy`; 0 apart from the error of the time
+  /// step.
   double gap(double energy) const { return energy - initial - cell_work + losses.total() + quenched; }
 
-  /// The gap as a share of the energy that went through: the start's and the cell's work.
+  /// The gap divided by the energy turnover: initial energy plus |work of the cell|.
   double relative_gap(double energy) const {
     const double turnover = initial + std::abs(cell_work);
     return turnover > 0 ? gap(energy) / turnover : 0;

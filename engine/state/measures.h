@@ -10,7 +10,7 @@ namespace furnas {
 
 /// Rattlers of each species at one threshold of contacts.
 struct RattlerCount {
-  int least_contacts{};     ///< z_min: particles with fewer live contacts are taken out, again and again
+  int least_contacts{};     ///< z_min: particles with fewer live contacts are removed repeatedly
   std::int64_t large{};     ///< rattlers among the large spheres
   std::int64_t small{};     ///< rattlers among the small spheres
   std::int64_t backbone{};  ///< particles that remain, N_0
@@ -18,7 +18,7 @@ struct RattlerCount {
   double coordination{};    ///< 2 N_c/N_0; 0 when none remains
 };
 
-/// What is read off a packing at one instant.
+/// Quantities measured of a packing at one instant.
 struct Measures {
   std::int64_t step{};
   std::int64_t particles{};
@@ -32,8 +32,8 @@ struct Measures {
   double force_imbalance{};          ///< mean |net force| on the backbone/mean contact force
   double mean_force{};               ///< mean |contact force| [k_n d_s]
   double largest_overlap{};          ///< largest overlap/smaller radius of its pair
-  /// Strain that would take the pressure off if every contact followed it: sum f d/sum (f/overlap) d^2, d
-  /// the distance of the centres and f the normal force.
+  /// The strain that would reduce the pressure to 0 if every contact followed it: sum f d/sum (f/overlap)
+  /// d^2, where d is the distance of the centres and f the normal force.
   double unloading_strain{};
   std::int64_t contacts{};                 ///< all of them, live or not
   double coordination{};                   ///< 2 contacts/N, rattlers included

@@ -15,22 +15,24 @@
 
 namespace furnas {
 
-/// Which of the two sizes a particle has. In a monodisperse packing all are `large`.
+/// The species of a particle. In a packing with only one species all particles are `large`.
 enum class Species : std::uint8_t { large = 0, small = 1 };
 
-/// Particles of a packing at most: the bins of the search, two a particle, are numbered with 32 bits.
+/// Largest number of particles of a packing: the neighbour search numbers its bins, up to two per particle,
+/// with 32 bits.
 inline constexpr std::int64_t most_particles = 2'147'483'647;
 
-/// Share of Coulomb's limit that rounding to single precision may take from a force that was cut to it.
+/// Share of Coulomb's limit by which a force that was cut to the limit may lie below it, because of rounding
+/// to single precision.
 inline constexpr double coulomb_tolerance = 1e-6;
 
-/// Whether a tangential force has reached Coulomb's limit, but for a share `tolerance` of it.
+/// Whether a tangential force has reached Coulomb's limit, within a share `tolerance` of the limit.
 inline bool at_coulomb_limit(double tangential, double normal, double friction,
                              double tolerance = coulomb_tolerance) {
   return tangential >= (1 - tolerance) * friction * normal;
 }
 
-/// A touch of two particles, as it stands at the end of a step.
+/// A contact of two particles at the end of a step.
 struct Contact {
   std::uint32_t i{}, j{};              ///< indices into the packing's arrays
   std::array<std::int8_t, 3> image{};  ///< cells between the nearest image and the one that is touched
@@ -41,18 +43,18 @@ struct Contact {
   Vec3<double> history;  ///< tangential displacement xi of i against j [d_s]; zero without friction
 };
 
-/// What the file that a packing was read from calls its parts. It goes through runs and conversions; the
-/// engine asks for none of it.
+/// Names and numbers from the file from which a packing was read. Runs and conversions keep them; the engine
+/// does not use them.
 struct Labels {
   std::vector<std::int64_t> id;    ///< of each particle, rising; empty: 1, 2, 3, ...
   std::vector<std::int32_t> type;  ///< of each particle, 1 or more; empty: 1 is large, 2 is small
   std::vector<std::string> names;  ///< of the types 1, 2, ...; empty: they have none of their own
   Vec3<double> origin;             ///< corner of the cell in the coordinates of the file [d_s]
-  bool turned = false;             ///< the cell, and all vectors with it, had another orientation in the file
+  bool turned = false;             ///< cell and vectors were rotated when the file was read
   friend bool operator==(const Labels&, const Labels&) = default;
 };
 
-/// A packing as the rest of the program sees it, outside the step: plain doubles, in order of id.
+/// A packing in the form that the program uses outside the step: in double precision, in order of id.
 struct Packing {
   std::int64_t step{};  ///< steps since the start
   double time{};        ///< [time unit sqrt(m/k_n), m = rho d_s^3]
@@ -61,7 +63,7 @@ struct Packing {
   std::vector<double> radius;          ///< [d_s]
   std::vector<double> mass;            ///< [rho d_s^3]
   std::vector<Fraction> fraction;      ///< position in the cell
-  std::vector<Image> image;            ///< cells crossed since the start
+  std::vector<Image> image;            ///< number of cells crossed since the start
   std::vector<Vec3<double>> velocity;  ///< peculiar, without the cell's affine flow [d_s/time]
   std::vector<Vec3<double>> spin;      ///< angular velocity [1/time]; zero without friction
   std::vector<Vec3<double>> force;     ///< sum over contacts [k_n d_s]
@@ -69,8 +71,8 @@ struct Packing {
   std::vector<Contact> contacts;       ///< all of them, live or not
   Stress stress;                       ///< of this instant, as the barostat uses it
   Ledger ledger;                       ///< where the energy came from and went
-  std::vector<std::uint32_t> order;    ///< particle at each place in memory; empty: the engine chooses
-  Labels labels;                       ///< what files call the particles
+  std::vector<std::uint32_t> order;    ///< index of the n-th particle in memory; empty: the engine chooses
+  Labels labels;                       ///< names and numbers from files
 
   std::size_t size() const { return radius.size(); }
 

@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A law and the number type of the forces: what decides which fields a particle carries.
+/// A law and the number type of the forces. They determine the fields of a particle's record.
 template <class LawType, class RealType>
 struct Numerics {
   using Law = LawType;
@@ -16,8 +16,8 @@ struct Numerics {
   static constexpr bool spins = Law::spins;
 };
 
-/// One record a particle: all that a contact reads of its partner. With friction and `float` it is one cache
-/// line. A vector and the number behind it are read as one group of four.
+/// The record of a particle: everything that a contact reads of its particles. With friction and `float` a
+/// record is one cache line. A vector and the number after it are read as one group of four.
 template <class Real, bool spins>
 struct Particle;
 
@@ -59,7 +59,7 @@ struct Load<Real, true> {
   Real unused_too;
 };
 
-/// What a candidate pair (i, j) answers in a step; all zero while the two do not touch.
+/// The row of a pair (i, j): its force in a step; all zero if the two do not touch.
 template <class Real, bool spins>
 struct Row;
 
@@ -73,18 +73,18 @@ template <class Real>
 struct Row<Real, true> {
   Vec3<Real> force;   ///< on i [k_n d_s]
   Real minus_arm_i;   ///< lever arm of i, with a minus [d_s]
-  Vec3<Real> couple;  ///< normal x force; times minus the arm of a particle the torque on it [k_n d_s]
+  Vec3<Real> couple;  ///< normal x force; times minus a lever arm: torque on i or j [k_n d_s]
   Real minus_arm_j;   ///< lever arm of j, with a minus [d_s]
 };
 
-/// How much of the work of a pass over particles may be left out for a particle.
+/// Which parts of a pass over particles can be skipped for a particle.
 enum LoadMark : std::uint8_t {
-  no_load,   ///< it touches nothing and its load is zero
-  has_load,  ///< it may touch something
-  sleeps     ///< no load and no velocity: no pass changes a bit of it until it is touched
+  no_load,   ///< the particle touches nothing, and its load is zero
+  has_load,  ///< the particle may touch something
+  sleeps     ///< no load and no velocity: no pass changes the particle until it is touched
 };
 
-/// How many contacts a particle has. Several threads may count at once.
+/// Number of contacts of a particle. Several threads may count at the same time.
 using ContactCount = std::atomic<std::uint32_t>;
 
 /// Tangential displacement of a contact, in a group of four.

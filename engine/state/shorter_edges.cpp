@@ -10,7 +10,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Whole and fractional cells of one coordinate as one number in units of 2^-64.
+/// Whole cells and fraction of one coordinate as one number in units of 2^-64.
 Wide join(std::int64_t whole, std::uint64_t fraction) { return (Wide{whole} << 64) + fraction; }
 std::uint64_t fraction_of(Wide x) { return static_cast<std::uint64_t>(x); }
 std::int64_t whole_of(Wide x) { return static_cast<std::int64_t>(x >> 64); }
@@ -25,7 +25,7 @@ struct Relabelling {
   }
 };
 
-/// Shortens the edges and says how.
+/// Shortens the edges and returns the relabelling.
 Relabelling shorten(Triangle& h) {
   Relabelling flip;
   flip.yz = std::llround(h.yz / h.yy);
@@ -35,7 +35,7 @@ Relabelling shorten(Triangle& h) {
   h.xz -= static_cast<double>(of_c) * h.xx;
   flip.xy = std::llround(h.xy / h.xx);
   h.xy -= static_cast<double>(flip.xy) * h.xx;
-  flip.xz = of_c + flip.xy * flip.yz;  // c lost yz times b, and b itself lost xy times a
+  flip.xz = of_c + flip.xy * flip.yz;  // yz times b was subtracted from c, and xy times a from b
   return flip;
 }
 

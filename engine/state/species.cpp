@@ -7,11 +7,11 @@
 namespace furnas {
 namespace {
 
-constexpr double one_size = 1 - 1e-6;  // what a size may be of another and still count as the same
+constexpr double one_size = 1 - 1e-6;  // sizes with a ratio above this count as equal
 
 bool same_size(double a, double b) { return std::min(a, b) >= one_size * std::max(a, b); }
 
-/// Least and largest of some radii.
+/// Smallest and largest of several radii.
 struct Span {
   double least{}, most{};
   explicit Span(double r) : least(r), most(r) {}
@@ -35,9 +35,9 @@ std::size_t count_of(std::vector<double> radius) {
   return count;
 }
 
-/// The two types of a packing that has two.
+/// The two types of a packing with exactly two types.
 struct TwoTypes {
-  std::array<std::int32_t, 2> type{};  ///< the lower one first
+  std::array<std::int32_t, 2> type{};  ///< the lower type first
   std::array<double, 2> sum{};         ///< of the radii of each
   std::array<double, 2> count{};
   std::array<std::optional<Span>, 2> span;

@@ -8,27 +8,28 @@
 
 namespace furnas {
 
-/// Which sizes spheres have. Two that differ by less than a millionth are one.
+/// The sizes of spheres. Sizes that differ by less than a millionth count as one.
 struct Sizes {
-  std::size_t count{};           ///< different ones
+  std::size_t count{};           ///< number of different sizes
   double smallest{}, largest{};  ///< diameters [d_s]
 };
 Sizes sizes_of(const std::vector<double>& radius);
 
-/// Spheres of two sizes: the larger ones are large, the others small. Spheres of one size, and of more than
-/// two, are all `large`: they have no two species.
+/// The species from the sizes. With two sizes, the spheres of the larger size are `large` and the others
+/// `small`. With one size or more than two sizes, all are `large`: there is only one species.
 std::vector<Species> species_by_size(const std::vector<double>& radius);
 
-/// The same where each sphere has a type, any whole number. If two types occur, they are the two species: the
-/// type of the larger mean size is large; of equal ones, the lower type. Only where there are two sizes and a
-/// type has both of them, sizes decide.
+/// The species of spheres that have types, which are any whole numbers. If two types occur, they are the two
+/// species: the type with the larger mean size is large; if the mean sizes are equal, the lower type. The
+/// sizes decide, as in species_by_size(), if the number of types is not two, or if there are exactly two
+/// sizes and a type has both of them.
 std::vector<Species> species_by_type(const std::vector<double>& radius,
                                      const std::vector<std::int32_t>& type);
 
 /// Whether spheres of one species differ in size. Then f_s, phi_L and phi_S do not exist.
 bool is_polydisperse(const Packing& packing);
 
-/// Whether spheres differ in size and are all of one species: there is nothing to tell apart but sizes.
+/// Whether all spheres are of one species but differ in size.
 bool is_one_polydisperse_species(const Packing& packing);
 
 }  // namespace furnas

@@ -16,19 +16,19 @@
 
 namespace furnas {
 
-/// What the pairs of the list answer in a step; one a pair, zero while it does not touch.
+/// The rows of all pairs of the list: one per pair, zero if the pair does not touch.
 template <class Real, bool spins>
 using Rows = std::vector<Row<Real, spins>>;
 
-/// What the pairs of the list remember from one step to the next.
+/// The state of pairs and particles that is kept from one step to the next.
 template <class Real>
 struct ContactState {
-  std::vector<Spring<Real>> springs;   ///< one a pair; zero while it does not touch; empty without friction
-  std::vector<std::uint8_t> touching;  ///< one a pair: 1 if it touched in the last step
-  std::vector<ContactCount> contacts;  ///< one a particle: pairs of its that touched in the last step
-  std::vector<std::uint8_t> loaded;    ///< one a particle: its LoadMark
+  std::vector<Spring<Real>> springs;   ///< one per pair; zero if it does not touch; empty without friction
+  std::vector<std::uint8_t> touching;  ///< one per pair: 1 if it touched in the last step
+  std::vector<ContactCount> contacts;  ///< one per particle: its contacts in the last step
+  std::vector<std::uint8_t> loaded;    ///< one per particle: its LoadMark
 
-  /// The state of pairs that have never touched.
+  /// Resets the state to that of pairs that have never touched.
   void clear(std::size_t pairs, std::size_t particles, bool friction) {
     springs.assign(friction ? pairs : 0, {});
     touching.assign(pairs, 0);
@@ -39,7 +39,7 @@ struct ContactState {
   /// Wakes the particles that sleep, because their velocities are about to change.
   void wake_all() { std::replace(loaded.begin(), loaded.end(), std::uint8_t{sleeps}, std::uint8_t{no_load}); }
 
-  /// Notes that row `k`, of particles i and j, touches.
+  /// Records that row `k`, of particles i and j, touches.
   void touch(std::uint64_t k, std::uint32_t i, std::uint32_t j) {
     touching[k] = 1;
     contacts[i].fetch_add(1, std::memory_order_relaxed);
@@ -47,8 +47,8 @@ struct ContactState {
   }
 };
 
-/// Everything that a step changes. Particles are in order of size class, then along a space-filling
-/// curve; `id` tells who they are.
+/// Everything that a step changes. Particles are sorted by size class, then along a space-filling curve; `id`
+/// gives their indices in the packing.
 template <class Numerics>
 struct State {
   using Real = typename Numerics::Real;
@@ -63,10 +63,10 @@ struct State {
   Rows<Real, Numerics::spins> rows;
   ContactState<Real> contact_state;
 
-  std::vector<std::uint32_t> id;  ///< index of each place in the packing
+  std::vector<std::uint32_t> id;  ///< index in the packing of the n-th particle in memory
   std::vector<double> mass;       ///< [rho d_s^3]
   std::vector<Species> species;
-  std::vector<Image> image;  ///< cells crossed until the list was built
+  std::vector<Image> image;  ///< number of cells crossed until the list was built
 };
 
 }  // namespace furnas

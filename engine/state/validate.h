@@ -6,14 +6,14 @@
 
 namespace furnas {
 
-/// What is wrong with the numbers of a packing, in a sentence that names the particle by its id; empty if it
-/// is sound: there are particles, the cell has a volume, radii and masses are above zero, contacts are of
-/// particles that exist, and every number is finite.
+/// A sentence about the first flaw in the numbers of a packing, which names the particle by its number, index
+/// + 1; empty if there is none. In a packing without flaw there are particles, the cell has a volume, radii
+/// and masses are positive, contacts are between existing particles, and every number is finite.
 std::string flaw_of(const Packing& packing);
 
-/// Throws InputError with such a sentence about spheres and cell, and when two particles share a centre,
-/// where no contact has a normal. Numbers of contacts are not asked for: a step works them out anew from the
-/// positions.
+/// Throws InputError with such a sentence if spheres or cell have a flaw, or if two particles have the same
+/// centre, because their contact would have no normal. The numbers of contacts are not checked, because a
+/// step computes them again from the positions.
 void validate(const Packing& packing);
 
 }  // namespace furnas

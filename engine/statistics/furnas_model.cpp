@@ -8,7 +8,8 @@
 namespace furnas {
 
 double FurnasModel::phi(double f) const {
-  // The denominators cross at f_max alone, and the larger one belongs to the branch that holds.
+  // The two denominators are equal only at f_max. The larger denominator gives the lower packing fraction,
+  // which is the one of the model.
   return mono / std::max(1 - f, f + mono * (1 - f));
 }
 

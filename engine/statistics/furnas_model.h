@@ -2,12 +2,14 @@
 
 namespace furnas {
 
-/// The generalized Furnas model: how dense two sizes pack in the limit of an infinite size ratio.
+/// The generalized Furnas model: the packing fraction of two sizes of spheres in the limit of an infinite
+/// size ratio.
 ///
-/// Either the large spheres form the packing and the small ones lie in its voids, or the small ones form it
-/// and the large ones are inclusions; whichever is less dense holds. The friction enters through the packing
-/// fraction of one size alone. Source: Srivastava et al., "Jamming of bidisperse frictional spheres" (arXiv
-/// 2105.00977), after C. C. Furnas, Bureau of Mines Bulletin 307 (1929).
+/// Either the large spheres form the packing and the small ones lie in its voids, or the small spheres form
+/// the packing and the large ones are inclusions. The model takes the case with the lower packing fraction.
+/// Friction enters only through the packing fraction of spheres of one size. Source: Srivastava et al.,
+/// "Jamming of bidisperse frictional spheres" (arXiv 2105.00977), after C. C. Furnas, Bureau of Mines
+/// Bulletin 307 (1929).
 struct FurnasModel {
   double mono;  ///< phi_mono(mu), packing fraction of spheres of one size, in (0, 1)
 
@@ -15,25 +17,25 @@ struct FurnasModel {
   /// the small spheres in the volume of all.
   double phi(double small_fraction) const;
 
-  /// f_max = (1 - mono)/(2 - mono), the f_s of the densest mixture: small spheres fill every void as densely
-  /// as they pack alone.
+  /// f_max = (1 - mono)/(2 - mono), the f_s of the densest mixture. There the small spheres fill the voids of
+  /// the large ones with the packing fraction that they have alone.
   double f_max() const { return (1 - mono) / (2 - mono); }
 
   /// phi_max = 1 - (1 - mono)^2, the packing fraction at f_max.
   double phi_max() const { return mono * (2 - mono); }
 };
 
-/// A value and what it lies between.
+/// A value and the interval in which it lies.
 struct Interval {
   double value{}, low{}, high{};
 };
 
-/// The model of a phi_mono that is known to lie in an interval. Each number of the model is
-/// monotonic in phi_mono, so the ends of the interval are carried through.
+/// The model for a phi_mono that is known to lie in an interval. Each result of the model is monotonic in
+/// phi_mono, so its interval follows from the ends of the interval of phi_mono.
 class FurnasInterval {
  public:
   /// phi_mono +- half_width, both ends in (0, 1); throws ContractError otherwise. A half_width that is not
-  /// finite, as of a single sample, counts as none.
+  /// finite, as from a single sample, is taken as 0.
   FurnasInterval(double mono, double half_width);
 
   /// phi_mono between two ends, all three in (0, 1) and in order; throws ContractError otherwise.
@@ -52,8 +54,8 @@ class FurnasInterval {
 /// f_max.
 double fraction_of_large(double phi, double small_fraction);
 
-/// phi_S = f_s phi/(1 - phi (1 - f_s)), packing fraction of the small spheres in the room that the large ones
-/// leave; the model has phi_S = phi_mono above f_max.
+/// phi_S = f_s phi/(1 - phi (1 - f_s)), packing fraction of the small spheres in the volume that the large
+/// ones leave; the model has phi_S = phi_mono above f_max.
 double fraction_in_voids(double phi, double small_fraction);
 
 }  // namespace furnas

@@ -12,9 +12,10 @@
 namespace furnas {
 namespace {
 
-/// Beyond this from the highest mean the branches of a curve need not be straight.
+/// Samples at a larger distance from the highest mean are not used, because there the branches of the curve
+/// need not be straight.
 constexpr double reach = 0.3;
-constexpr double step = 0.002;  ///< of x_0
+constexpr double step = 0.002;  ///< step of x_0 in the search
 
 /// The samples that a hyperbola is fitted to, as x and 1/y.
 struct Samples {
@@ -23,7 +24,7 @@ struct Samples {
 
 struct Fit {
   double square;  ///< sum of squared residuals
-  double at;      ///< where the hyperbola is lowest
+  double at;      ///< place of the minimum of the hyperbola
 };
 
 /// The best hyperbola with this x_0 and s, if it has a minimum.
@@ -48,7 +49,7 @@ std::vector<Fit> fits_of(const Samples& samples) {
   return fits;
 }
 
-/// The highest mean and its neighbours.
+/// The place of the highest mean, with its neighbours as the interval.
 Maximum highest_mean(const std::vector<double>& x, const std::vector<double>& y) {
   std::map<double, std::pair<double, double>> sums;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -60,7 +61,7 @@ Maximum highest_mean(const std::vector<double>& x, const std::vector<double>& y)
   const auto best = std::max_element(sums.begin(), sums.end(),
                                      [&](const auto& a, const auto& b) { return mean(a) < mean(b); });
   const bool first = best == sums.begin(), last = std::next(best) == sums.end();
-  // The curve may go on to rise beyond its end.
+  // Beyond its last point the curve may continue to rise.
   const double left = first ? 2 * best->first - std::next(best)->first : std::prev(best)->first;
   const double right = last ? 2 * best->first - std::prev(best)->first : std::next(best)->first;
   return {best->first, left, right};
@@ -91,7 +92,8 @@ Maximum find_maximum(const std::vector<double>& x, const std::vector<double>& y,
   if (fits.empty()) return coarse;
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const Fit& a, const Fit& b) { return a.square < b.square; });
-  // x_0 and s together: by the place alone the interval would hold the maximum less often than it says.
+  // The F test has two parameters, x_0 and s. With only the place as parameter the interval would contain the
+  // maximum less often than `confidence`.
   const auto freedom = static_cast<double>(near_x.size() - parameters);
   const double F = boost::math::quantile(boost::math::fisher_f(2, freedom), confidence);
   const double most = best->square * (1 + 2 * F / freedom);

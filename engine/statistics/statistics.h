@@ -5,13 +5,12 @@
 
 namespace furnas {
 
-/// What a few independent samples say of a mean.
+/// A mean from a few independent samples, with its interval.
 struct MeanInterval {
   std::size_t samples{};
   double mean{};
   double deviation{};   ///< standard deviation of a sample (n - 1); 0 for fewer than two
-  double half_width{};  ///< the mean lies within +- this with the confidence asked for; infinite for fewer
-                        ///< than two
+  double half_width{};  ///< of the interval of the mean for the given confidence; infinite for fewer than two
 
   double low() const { return mean - half_width; }
   double high() const { return mean + half_width; }

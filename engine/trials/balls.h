@@ -8,13 +8,14 @@
 
 namespace furnas {
 
-// Trials are a few spheres whose motion is known in closed form, and packings that are followed for a while:
-// tests assert with them, and `furnas bench` shows how the error grows with the time step.
+// Trials are systems of a few spheres whose motion is known in closed form, and packings that are simulated
+// for a short time. Tests use them, and `furnas bench` shows with them how the error grows with the time
+// step.
 
 /// The time step of the study, 0.02 collision times of two small spheres [time].
 inline constexpr double paper_step = 0.032415;
 
-/// A sphere of density 1 as a trial puts it down; its radius is that of a small one unless said otherwise.
+/// A sphere of density 1 in a trial; by default it has the radius of a small sphere.
 struct Ball {
   Vec3<double> position{};  ///< [d_s]
   Vec3<double> velocity{};  ///< [d_s/time]
@@ -28,10 +29,10 @@ inline double reduced_mass_of(double a, double b) { return 1 / (1 / mass_of(a) +
 
 inline Triangle cube(double length) { return {length, length, length, 0, 0, 0}; }
 
-/// A start with the balls at their places in the cell.
+/// A start with these balls in the cell.
 Packing packing_of(const Triangle& edges, const std::vector<Ball>& balls);
 
-/// A law in a cell that does not move.
+/// A model with this law and a fixed cell.
 template <class Law>
 Model model_of(const HookeConstants& constants, double time_step = paper_step) {
   Model model;
@@ -41,25 +42,24 @@ Model model_of(const HookeConstants& constants, double time_step = paper_step) {
   return model;
 }
 
-/// The state after some steps.
+/// The packing after `steps` steps.
 Packing after(const Model& model, const Packing& start, std::int64_t steps);
 
-/// The inertia of the packing itself, W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
+/// The inertia W of the cell for beta = 1: W = M L^2/12, L^3 = (volume of the spheres)/0.64 [rho d_s^5].
 double inertia_of_cell(const Packing& packing);
 
-/// Translation and rotation [k_n d_s^2].
+/// Kinetic energy of translation and rotation [k_n d_s^2].
 double kinetic_energy(const Packing& packing);
 
-/// Of the contacts: overlap^2/2 + k_t history^2/2 [k_n d_s^2].
+/// Energy of the contacts: sum of overlap^2/2 + k_t history^2/2 [k_n d_s^2].
 double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
 
 Vec3<double> momentum(const Packing& packing);
 
-/// Without damping and friction the equations of the packing under a bath of pressure p_a keep
+/// The conserved quantity [k_n d_s^2] of a packing in a bath of pressure p_a, without damping, friction and
+/// drag of the cell:
 ///
 ///   H' = K + U + p_a V + (W/2) sum(e_ab^2, a <= b),   K = sum(m v^2)/2,  U = sum(overlap^2)/2
-///
-/// [k_n d_s^2].
 double kept_enthalpy(const Packing& packing, const Barostat& bath);
 
 }  // namespace furnas

@@ -16,29 +16,31 @@ struct HeadOn {
   double duration() const { return std::numbers::pi / frequency(); }
   double restitution() const { return std::exp(-half_damping() * duration()); }
 
-  /// When the overlap is largest, and how large for a unit speed.
+  /// Time of the largest overlap, and the largest overlap for a unit speed of approach.
   double time_of_largest() const { return std::atan2(2 * frequency(), damping) / frequency(); }
   double largest_overlap() const { return std::exp(-half_damping() * time_of_largest()) / undamped(); }
 
-  /// Restitution when the contact lets go as soon as the force would attract.
+  /// Restitution if the contact ends as soon as the force would become attractive.
   double restitution_without_attraction() const {
     const double b = half_damping();
     const double w = frequency();
     return std::exp(-b / w * (std::numbers::pi - std::atan2(2 * b * w, w * w - b * b)));
   }
 
-  /// Integral of |F_n|/(m_eff v): the law lets an attracting contact rub too.
+  /// Integral of |F_n|/(m_eff v) over the collision. |F_n| is needed because in the law friction also acts
+  /// while F_n is attractive.
   double absolute_impulse() const { return 1 + 2 * restitution_without_attraction() - restitution(); }
 
-  /// The motion whose damping sees the velocity half a step late, to second order in the step: the delayed
-  /// force -m gamma (v - a dt/2) makes the mass lighter by gamma dt/2.
+  /// The collision, to second order in the step, if the damping uses the velocity of half a step earlier: the
+  /// delayed force -m gamma (v - a dt/2) reduces the mass by the share gamma dt/2.
   HeadOn lagged(double time_step) const {
     const double lighter = 1 - damping * time_step / 2;
     return {damping / lighter, mass * lighter};
   }
 };
 
-/// The slip of two spheres that do not slide, for any sizes: xi'' + (7/2) (gamma_t xi' + k_t xi/m_eff) = 0.
+/// The slip xi of two spheres of any sizes in a sticking contact: xi'' + (7/2) (gamma_t xi' + k_t xi/m_eff) =
+/// 0.
 struct Sticking {
   double half_damping;  ///< b [1/time]
   double square;        ///< (7/2) k_t/m_eff [1/time^2]

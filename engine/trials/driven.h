@@ -13,20 +13,20 @@
 
 namespace furnas {
 
-/// Few particles in a cell that does not move, taken through the engine's own phases, with a force on each
-/// of them besides those of the contacts: gravity, a spring. The engine has no such force, so the step of
-/// `engine/step.cpp` is repeated here without what concerns cell and list: every pair is listed from the
-/// start.
+/// Few particles in a fixed cell, with an additional external force on each particle, such as gravity or a
+/// spring. The engine has no external forces. Therefore this class has a step of its own, which calls the
+/// phases of `engine/step.cpp` except those for the cell and the neighbour list: every pair is listed from
+/// the start.
 template <class Law>
 class Driven {
  public:
   using S = Numerics<Law, double>;
 
-  /// Force on particle k at a place and a time [k_n d_s].
+  /// External force on particle k at a position and a time [k_n d_s].
   using Push = std::function<Vec3<double>(std::size_t k, const Vec3<double>& position, double time)>;
 
-  /// Particles are in the order of memory, larger ones first; of contacts, i > j, the histories count.
-  /// Without a push particles may sleep, as those of the engine do.
+  /// The particles must be in the order of memory, larger ones first. Of the contacts, which must have i > j,
+  /// only the histories are used. Without a push particles may sleep (LoadMark::sleeps), as in the engine.
   Driven(const Model& model, const Packing& start, Push push) : model_(model), push_(std::move(push)) {
     state_.cell = start.cell;
     for (std::size_t k = 0; k < start.size(); ++k) {
@@ -72,7 +72,7 @@ class Driven {
     return state_.cell.edges * in_unit_cell(state_.particles[k].position);
   }
 
-  /// Row of particle i and an earlier one.
+  /// Row of particle i and the earlier particle j.
   std::size_t row(std::size_t i, std::size_t j) const { return state_.pairs.first[i] + j; }
   Vec3<double> force(std::size_t i, std::size_t j) const { return state_.rows[row(i, j)].force; }
   Vec3<double> history(std::size_t i, std::size_t j) const {
@@ -80,8 +80,8 @@ class Driven {
   }
 
  private:
-  /// Forces at the end of a step, and its second half kick: the engine's with the forces of the contacts,
-  /// then this one's own.
+  /// Computes the forces at the end of a step, and the second half kick: first the engine's, with the forces
+  /// of the contacts, then the one with the external forces.
   void gather(double time_step) {
     contact_forces<S>(model_, time_step, state_.cell, state_.pairs, state_.particles, state_.loads,
                       state_.rows, state_.contact_state, every_row_, state_.stress.contacts, work_);

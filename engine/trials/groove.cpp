@@ -10,8 +10,8 @@ namespace furnas {
 double Groove::rolling_time(double angle) const {
   const double pull =
       gravity * ring() / (ring() * ring() + 0.4 * reach() * reach());  // theta'' = pull sin theta
-  // With theta = tilt + x^2 the start, where the speed vanishes, is regular:
-  // cos tilt - cos theta = 2 sin(x^2/2) sin(tilt + x^2/2).
+  // With theta = tilt + x^2 the integrand is regular at the start, where the speed vanishes: cos tilt - cos
+  // theta = 2 sin(x^2/2) sin(tilt + x^2/2).
   const auto time_by_root = [&](double x) {
     return x / std::sqrt(pull * std::sin(x * x / 2) * std::sin(tilt + x * x / 2));
   };

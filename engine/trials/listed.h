@@ -21,7 +21,7 @@ inline Packing in_memory_order(const Packing& p) {
   return sorted;
 }
 
-/// The list of a packing that is in the order of memory.
+/// The neighbour list of a packing that is in the order of memory.
 inline PairList listed(const Packing& p, const Skin& skin) {
   PairList list;
   list.classes = size_classes(p.radius);

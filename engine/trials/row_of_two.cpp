@@ -23,7 +23,7 @@ double RowOfTwo::shift_at(double time, double damping) {
 
 Oscillation oscillation_of(const std::vector<double>& x, double time_step) {
   require(x.size() >= 4, "an oscillation is read off four places");
-  double nn = 0, np = 0, pp = 0, fn = 0, fp = 0;  // of now, past and future
+  double nn = 0, np = 0, pp = 0, fn = 0, fp = 0;  // n: now, p: past, f: future
   for (std::size_t k = 1; k + 1 < x.size(); ++k) {
     nn += x[k] * x[k], np += x[k] * x[k - 1], pp += x[k - 1] * x[k - 1];
     fn += x[k + 1] * x[k], fp += x[k + 1] * x[k - 1];
@@ -39,8 +39,8 @@ Oscillation oscillation_of_row(const Model& model, int steps) {
   constexpr double amplitude = 1e-2;
   const auto simulation = make_simulation(model, RowOfTwo::start(amplitude, {}));
   std::vector<double> places;
-  // A predicted velocity remembers the acceleration of the step before: a second motion, which dies out as
-  // (-gamma dt)^n, and is gone after twelve steps.
+  // The predicted velocity contains the acceleration of the previous step. This adds a second, spurious
+  // motion, which decays as (-gamma dt)^n and is negligible after twelve steps.
   simulation->advance(12);
   for (int n = 0; n < steps; ++n) {
     simulation->advance(1);

@@ -12,7 +12,7 @@ double WedgedSphere::threshold() const { return std::atan(friction); }
 double WedgedSphere::widest() const { return std::acos(size_ratio / (size_ratio + 1)) - 0.2 * degree; }
 
 bool holds(const WedgedSphere& wedge, const Model& model, double half_angle) {
-  constexpr double speed = 1e-5;  // of each large sphere, whose mass of 1e30 lets nothing stop it
+  constexpr double speed = 1e-5;  // of each large sphere; its mass of 1e30 keeps the speed constant
   const double time = 4000 * paper_step;
   const double large = WedgedSphere::radius * wedge.size_ratio;
   const double reach = large + WedgedSphere::radius;

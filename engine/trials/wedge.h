@@ -6,10 +6,11 @@
 
 namespace furnas {
 
-/// A small sphere between two large ones that are pushed together; its contacts are `half_angle` off the line
-/// of the large centres. Friction mu holds it if tan(half_angle) <= mu: the large spheres approach without
-/// turning, so with k_t = k_n and gamma_t = gamma_n the springs of both directions answer alike, the sphere
-/// does not move before it slips, and the threshold is sharp.
+/// A small sphere between two large ones that are pushed together. The line from a large centre to the small
+/// one makes an angle of `half_angle` with the line of the large centres. Friction mu holds the small sphere
+/// if tan(half_angle) <= mu. The large spheres approach each other without rotation. With k_t = k_n and
+/// gamma_t = gamma_n the normal and tangential springs respond alike, so the small sphere does not move
+/// before it slips, and the threshold is sharp.
 struct WedgedSphere {
   double size_ratio, friction;
 
@@ -18,21 +19,23 @@ struct WedgedSphere {
 
   /// atan mu.
   double threshold() const;
-  /// Beyond this the large spheres would meet each other.
+  /// 0.2 degrees less than the half angle at which the large spheres touch each other.
   double widest() const;
 };
 
-/// Whether the small sphere stays. `model` has the friction of the wedge and a cell that does not move.
+/// Simulates the approach of the large spheres. Returns whether the small sphere stays in place. `model` must
+/// have the friction of the wedge and a fixed cell.
 bool holds(const WedgedSphere& wedge, const Model& model, double half_angle);
 
-/// What held and what did not when the threshold of a law was looked for.
+/// The result of the search for the threshold: the largest angle that held and the smallest that did not.
 struct WedgeThreshold {
   double held, ejected;
   double middle() const { return 0.5 * (held + ejected); }
 };
 
-/// Halves the angles from half to one and a half times atan mu until they are 0.01 degrees apart. Throws
-/// ContractError when the first is not held or the last is.
+/// Bisects the interval from half to one and a half times atan mu, or to widest() if this is smaller, until
+/// it is 0.01 degrees wide. Throws ContractError if the sphere is not held at the lower end, or is held at
+/// the upper end.
 WedgeThreshold threshold_of(const WedgedSphere& wedge, const Model& model);
 
 }  // namespace furnas

@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A place on a canvas [pixels from its bottom left corner].
+/// A position on a canvas [pixels from its bottom left corner].
 struct Spot {
   double x{}, y{};
 };
@@ -18,7 +18,7 @@ struct Box {
   double left{}, bottom{}, right{}, top{};
 };
 
-/// What charts are drawn on, black or coloured on white. Lengths in pixels.
+/// A surface on which charts are drawn, black or coloured on white. Lengths are in pixels.
 class Canvas {
  public:
   Canvas() = default;
@@ -26,13 +26,13 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// Through the corners in their order.
+  /// Draws a line through the corners in their order.
   virtual void line(const std::vector<Spot>& corners, const Colour& colour, double width) = 0;
-  /// Filled, whatever the sense of its outline.
+  /// Fills an area; its outline may be clockwise or counterclockwise.
   virtual void area(const std::vector<Spot>& outline, const Colour& colour) = 0;
-  /// Black. `left` is where the first letter begins and what it stands on; upwards: read from below to above.
+  /// Writes black text. `left` is the left end of the baseline; `upwards`: the text runs from bottom to top.
   virtual void text(const Spot& left, const std::string& text, double size, bool upwards) = 0;
-  /// From now on nothing is drawn outside the box; nothing: everywhere.
+  /// Restricts all further drawing to the box; without a box there is no restriction.
   virtual void clip(const std::optional<Box>& box) = 0;
 };
 

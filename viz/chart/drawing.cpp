@@ -16,7 +16,7 @@ using Polyline = std::vector<Spot>;
 using Across = TextPlace::Across;
 using Along = TextPlace::Along;
 
-/// Lengths of stroke and gap of a broken line [pixels].
+/// Lengths of dash and gap of a dashed line [pixels].
 struct Dashes {
   double stroke, gap;
 };
@@ -48,11 +48,11 @@ class ChartDrawing {
     const auto& [low, high] = layout_.y;
     return layout_.frame.bottom + (at - low) / (high - low) * (layout_.frame.top - layout_.frame.bottom);
   }
-  /// Not finite where the point cannot be shown.
+  /// Position on the canvas; not finite if the point cannot be shown.
   Spot spot(double x, double y) const { return {along_x(shown(chart_.x, x)), along_y(shown(chart_.y, y))}; }
   static bool visible(const Spot& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-  /// The strokes of a broken line; the pattern runs on around its corners.
+  /// Draws the dashes of a dashed line; the pattern continues around corners.
   void draw_dashed(const Polyline& line, const Dashes& dashes, const Colour& colour) {
     Polyline stroke;
     bool drawing = true;
@@ -83,7 +83,7 @@ class ChartDrawing {
     if (s.line == LineStyle::dotted) draw_dashed(line, {1.2 * size_.line, 1.8 * size_.line}, s.colour);
   }
 
-  /// A regular polygon around a place, one corner at `turn` from the x axis.
+  /// A regular polygon around a point, with one corner at the angle `turn` from the x axis.
   static Polyline polygon(const Spot& p, int corners, double radius, double turn) {
     Polyline outline;
     for (int n = 0; n < corners; ++n) {
@@ -93,7 +93,7 @@ class ChartDrawing {
     return outline;
   }
 
-  /// A filled polygon, or its outline alone.
+  /// Draws a filled polygon, or only its outline.
   void draw_polygon(const Spot& p, int corners, double radius, double turn, const Colour& colour, bool open) {
     canvas_.area(polygon(p, corners, radius, turn), colour);
     if (!open) return;
@@ -101,7 +101,7 @@ class ChartDrawing {
     canvas_.area(polygon(p, corners, inner, turn), background_colour);
   }
 
-  /// All markers cover about the same area; those of strokes are never filled.
+  /// Draws a marker. All markers cover about the same area; markers that consist of strokes are never filled.
   void draw_marker(const Spot& p, const Series& s, bool open = false) {
     constexpr double pi = std::numbers::pi;
     const double r = 0.5 * size_.marker, d = 0.9 * r;
@@ -135,7 +135,7 @@ class ChartDrawing {
     const double cap = 0.4 * size_.marker;
     const auto thin = [&](const Polyline& line) { canvas_.line(line, s.colour, 0.6 * size_.line); };
     thin({{high.x - cap, high.y}, {high.x + cap, high.y}});
-    // On a logarithmic axis a bar down to zero never ends.
+    // On a logarithmic axis a bar that reaches zero or less has no lower end.
     if (visible(low))
       thin({{low.x - cap, low.y}, {low.x + cap, low.y}});
     else
@@ -156,7 +156,7 @@ class ChartDrawing {
     draw_styled(line, s);
   }
 
-  /// Whole ones, also where they reach over the frame.
+  /// Draws whole markers, also where they extend beyond the frame.
   void draw_markers(const Series& s) {
     const auto& [left, bottom, right, top] = layout_.frame;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
@@ -208,7 +208,7 @@ class ChartDrawing {
     }
   }
 
-  /// A line leads to what a distant note is about.
+  /// Draws the notes, and a line from a distant note to its point.
   void draw_notes() {
     const std::vector<PlacedNote> placed = place_notes(chart_, layout_);
     for (std::size_t k = 0; k < placed.size(); ++k) {

@@ -31,7 +31,7 @@ void set_font(vtkTextProperty& letters, double size) {
 
 double text_width(const std::string& text, double size) {
   constexpr int dots_per_inch = 72;
-  constexpr double fine = 8;  // whole pixels are too coarse a measure
+  constexpr double fine = 8;  // VTK measures in whole pixels, which is too coarse
   vtkNew<vtkTextProperty> letters;
   set_font(*letters, fine * size);
   int box[4]{};

@@ -6,13 +6,13 @@ class vtkTextProperty;
 
 namespace furnas {
 
-/// The font of charts: DejaVu Sans, for VTK's own has no Greek and no superscripts.
+/// The font of charts: DejaVu Sans, because VTK's own font has no Greek letters and no superscripts.
 inline constexpr const char* font_name = "DejaVu Sans";
 
-/// Makes letters of a size [pixels], black.
+/// Sets the font, black, with this size [pixels].
 void set_font(vtkTextProperty& letters, double size);
 
-/// How far a line of plain text of a size moves on what follows it [pixels].
+/// Advance width of a line of plain text at a font size [pixels].
 double text_width(const std::string& text, double size);
 
 /// Height of a capital letter or a digit, as a part of the size.

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int most_x_labels = 8, most_y_labels = 8;
 
-/// The stretch of all values that can be shown; of nothing, that of one around 0 or, logarithmic, 1.
+/// Computes the stretch of an axis from all values that can be shown. Without values it is [0, 1], or one
+/// power of ten around 1 on a logarithmic axis.
 class Extent {
  public:
   explicit Extent(const ChartAxis& axis) : axis_(axis) {}
@@ -24,8 +25,8 @@ class Extent {
     high_ = std::max(high_, at);
   }
 
-  /// With the ends that the axis asks for, the others moved out to a mark; they leave `headroom` beside
-  /// the data, as a part of the stretch.
+  /// The stretch with the ends that are given for the axis. Other ends leave free space beside the data,
+  /// `headroom` times the range of the data, and are moved outwards to the next mark.
   Stretch stretch(int most, double headroom) const {
     Stretch s{low_, high_};
     if (!(s.low <= s.high)) s = {0, axis_.logarithmic ? 0.0 : 1.0};
@@ -35,7 +36,7 @@ class Extent {
     require(!axis_.low || !axis_.high || s.low < s.high, "the ends of an axis are in order");
     const double room = headroom * std::max(0.0, s.high - s.low);
     if (!axis_.high) s.high += room;
-    // A linear axis that begins at 0 stays there.
+    // The lower end of a linear axis gets no free space, so that an axis that begins at 0 still does.
     if (!axis_.low && axis_.logarithmic) s.low -= room;
     if (!(s.high - s.low > 1e-12 * std::max(std::abs(s.low), std::abs(s.high)))) {
       const double half = axis_.logarithmic || s.low == 0 ? 0.5 : 0.1 * std::abs(s.low);
@@ -47,7 +48,7 @@ class Extent {
   }
 
  private:
-  /// Out to a power of ten, or to 2 or 5 times one where that is near.
+  /// Widens the stretch to the next 1, 2 or 5 times a power of ten.
   static Stretch decades(const Stretch& s) {
     const auto round = [](double at, bool up) {
       constexpr double steps[] = {0, 0.30102999566398120, 0.69897000433601880, 1};
@@ -95,7 +96,7 @@ double widest(const std::vector<Tick>& ticks, double size) {
   return most;
 }
 
-/// Marks, and the frame that leaves room for their numbers and for the titles.
+/// Computes the marks, and the frame with room for their numbers and for the titles.
 void place_frame(const Chart& chart, ChartLayout& layout) {
   layout.x_ticks = ticks_of(chart.x, layout.x, most_x_labels);
   layout.y_ticks = ticks_of(chart.y, layout.y, most_y_labels);
@@ -104,12 +105,12 @@ void place_frame(const Chart& chart, ChartLayout& layout) {
   frame.left = 2 * size.gap + (chart.y.title.empty() ? 0 : 1.4 * size.title) + size.gap +
                widest(layout.y_ticks, size.label);
   frame.bottom = 2 * size.gap + (chart.x.title.empty() ? 0 : 1.4 * size.title) + size.label + 0.4 * size.gap;
-  // Half of the last number stands beyond the frame.
+  // Half of the last number on the x axis extends beyond the frame.
   frame.right = chart.width - size.gap - 0.5 * widest(layout.x_ticks, size.label);
   frame.top = chart.height - 1.5 * size.gap - (chart.title.empty() ? 0 : 1.6 * size.title);
 }
 
-/// Points along what is drawn, close enough that none of it slips between them [pixels].
+/// Points along everything that is drawn, so dense that no part of it lies unnoticed in a box [pixels].
 std::vector<Spot> ink(const Chart& chart, const ChartLayout& layout) {
   constexpr int between = 24;
   const Box& f = layout.frame;
@@ -149,7 +150,7 @@ std::size_t covered(const Box& box, const std::vector<Spot>& points, double gap)
   }));
 }
 
-/// Width and height of the legend; nothing where there is none.
+/// Width and height of the legend; nothing if there is no legend.
 std::optional<std::array<double, 2>> legend_size(const Chart& chart) {
   const ChartSizes size = sizes_of(chart);
   double widest_name = 0, names = 0;
@@ -164,7 +165,7 @@ std::optional<std::array<double, 2>> legend_size(const Chart& chart) {
 
 struct Choice {
   LegendPlace place;
-  std::size_t covered;  ///< points of the data
+  std::size_t covered;  ///< number of covered points of the data
 };
 
 Choice emptiest(const Chart& chart, const ChartLayout& layout, const std::array<double, 2>& size,
@@ -179,13 +180,14 @@ Choice emptiest(const Chart& chart, const ChartLayout& layout, const std::array<
   return best;
 }
 
-/// An empty corner for the legend; where none is empty the y axis is raised until one is, if it may be and
-/// the data keep two thirds of it; else the place right of the frame.
+/// Finds an empty corner for the legend. If none is empty and the upper end of the y axis is not given, the
+/// axis is extended until a corner is empty, but only as far as the data keep two thirds of it. Otherwise the
+/// legend is placed right of the frame.
 LegendPlace find_place(const Chart& chart, const std::array<double, 2>& size, ChartLayout& layout) {
   if (chart.legend != LegendPlace::automatic) return chart.legend;
   const double gap = sizes_of(chart).gap;
   constexpr int raises = 6;
-  constexpr double most = 0.5;  // of what the data take
+  constexpr double most = 0.5;  // largest extension, as a share of the axis without it
   const double top = layout.y.high, room = most * (top - layout.y.low);
   for (int n = 0; n <= (chart.y.high ? 0 : raises); ++n) {
     layout.y.high = top + room * n / raises;

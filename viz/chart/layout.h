@@ -8,7 +8,8 @@
 
 namespace furnas {
 
-/// Where the parts of a chart stand. Data are drawn at (value or its logarithm) within the stretches.
+/// The positions of the parts of a chart. Data are drawn by their value, or its decimal logarithm, within the
+/// stretches.
 struct ChartLayout {
   Stretch x, y;
   std::vector<Tick> x_ticks, y_ticks;
@@ -16,24 +17,24 @@ struct ChartLayout {
   Box legend;  ///< empty if there is none
 };
 
-/// Sizes of what a chart is made of, which grow with the chart [pixels].
+/// Sizes of the elements of a chart, proportional to the size of the chart [pixels].
 struct ChartSizes {
   double label{};   ///< letters of numbers and of the legend
   double title{};   ///< letters of titles
-  double gap{};     ///< between neighbours
+  double gap{};     ///< between neighbouring elements
   double symbol{};  ///< length of the sample of a line in the legend
   double row{};     ///< height of a row of the legend
   double line{};    ///< width of the lines of series
   double marker{};  ///< width of markers
 };
 
-/// For the width and height of the chart.
+/// The sizes for the width and height of the chart.
 ChartSizes sizes_of(const Chart& chart);
 
-/// Finds a place for everything, so that nothing covers anything else.
+/// Places all elements such that none covers another.
 ChartLayout layout_of(const Chart& chart);
 
-/// Where a value is drawn along an axis: itself or its decimal logarithm; not a number where it cannot be.
+/// Coordinate of a value along an axis: the value or its decimal logarithm; NaN if it cannot be shown.
 double shown(const ChartAxis& axis, double value);
 
 }  // namespace furnas

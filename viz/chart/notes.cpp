@@ -44,7 +44,7 @@ class NotePlacing {
   }
   static bool visible(const Spot& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-  /// The marker, and points along its error bar.
+  /// Adds a marker, and points along its error bar, to the points that notes should not cover.
   void add_ink(const Series& s, std::size_t k) {
     const Spot at = spot(s.x[k], s.y[k]);
     if (!visible(at)) return;
@@ -55,7 +55,7 @@ class NotePlacing {
     for (double y = bottom; y <= high.y; y += 0.3 * height_) bars_.push_back({at.x, y});
   }
 
-  /// The words to the right of a place, to its left, or above and below it, whichever way it lies.
+  /// The box of a text beside the point `place`, in the direction `way` from the point of the note.
   Box box_at(const Spot& place, const Spot& way, double width) const {
     const double left = place.x + (way.x - 1) / 2 * width, bottom = place.y + (way.y - 1) / 2 * height_;
     return {left, bottom, left + width, bottom + height_};
@@ -67,7 +67,7 @@ class NotePlacing {
     }));
   }
 
-  /// What is wrong with a place; infinite where it may not be.
+  /// The cost of a place for a note; infinite if the place is not allowed.
   double cost(const Box& box, double away) const {
     const double gap = 0.3 * height_;
     if (!lies_within(box, layout_.frame, gap)) return std::numeric_limits<double>::infinity();
@@ -90,7 +90,8 @@ class NotePlacing {
     const double near = 0.9 * size_.marker;
     const double farthest =
         std::hypot(layout_.frame.right - layout_.frame.left, layout_.frame.top - layout_.frame.bottom);
-    // Rings are tried from the inside; a place that is found ends the search once distance alone costs more.
+    // Places on rings around the point are tried, beginning with the smallest ring. The search ends when the
+    // cost of the distance alone exceeds the lowest cost found.
     for (double away = near; away < farthest && away / height_ < least; away *= 1.3)
       for (int n = 0; n < ways; ++n) {
         const double angle = 2 * std::numbers::pi * n / ways;

@@ -6,16 +6,16 @@
 
 namespace furnas {
 
-/// Where a note stands.
+/// The position of a note.
 struct PlacedNote {
-  Box box;           ///< of its words
-  Spot point;        ///< what it is about
-  bool led = false;  ///< so far away that a thin line leads to it
+  Box box;           ///< of its text
+  Spot point;        ///< the point that the note belongs to
+  bool led = false;  ///< so far from the point that a thin line joins both
 };
 
-/// A place for each note that can be shown, in their order, beside its point: inside the frame, apart from
-/// the other notes, the legend and, as far as there is room, from markers and error bars. Those that cannot
-/// be shown have an empty box.
+/// Finds a place for each note, in their order, beside its point. The place is inside the frame, does not
+/// overlap other notes or the legend and, as far as there is room, covers no markers or error bars. Notes
+/// that cannot be shown get an empty box.
 std::vector<PlacedNote> place_notes(const Chart& chart, const ChartLayout& layout);
 
 /// Height of the letters of notes [pixels].

@@ -26,10 +26,10 @@
 namespace furnas {
 namespace {
 
-/// Pixels that are averaged along each edge of one of the picture.
+/// Each pixel of the picture is the mean of smoothing x smoothing drawn pixels.
 constexpr int smoothing = 3;
 
-/// Draws with VTK, `smoothing` times as large as asked for.
+/// Draws with VTK, magnified by the factor `smoothing`.
 class PixelCanvas final : public Canvas {
  public:
   explicit PixelCanvas(vtkContext2D& painter) : painter_(painter) { painter_.GetPen()->SetOpacityF(1); }
@@ -58,7 +58,7 @@ class PixelCanvas final : public Canvas {
     letters.SetJustificationToLeft();
     letters.SetVerticalJustificationToBottom();
     letters.SetOrientation(upwards ? 90 : 0);
-    // VTK places the bottom of the deepest letter of the font.
+    // VTK positions text by the bottom of the deepest letter of the font.
     const double below = depth_of_letters * size;
     const double x = upwards ? left.x + below : left.x, y = upwards ? left.y : left.y - below;
     painter_.DrawString(static_cast<float>(smoothing * x), static_cast<float>(smoothing * y), text);
@@ -85,7 +85,7 @@ class PixelCanvas final : public Canvas {
   vtkContext2D& painter_;
 };
 
-/// Hands VTK's painter on. VTK does not survive an exception while it paints, so it is kept.
+/// Passes VTK's painter to `paint`. An exception must not pass through VTK, so it is stored in `caught`.
 class Item : public vtkContextItem {
  public:
   static Item* New();

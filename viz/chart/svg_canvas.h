@@ -16,7 +16,7 @@ class SvgCanvas final : public Canvas {
   void text(const Spot& left, const std::string& text, double size, bool upwards) override;
   void clip(const std::optional<Box>& box) override;
 
-  /// The whole file.
+  /// The content of the SVG file.
   std::string file() const;
 
  private:

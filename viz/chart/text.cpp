@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-/// Bytes of the UTF-8 letter that begins at `at`.
+/// Number of bytes of the UTF-8 letter that begins at `at`.
 std::size_t letter_length(const std::string& text, std::size_t at) {
   std::size_t length = 1;
   while (at + length < text.size() && (static_cast<unsigned char>(text[at + length]) & 0xC0U) == 0x80U)

@@ -7,23 +7,23 @@
 
 namespace furnas {
 
-/// Where a line of text stands at its place.
+/// The position of a line of text relative to its point.
 struct TextPlace {
   enum class Across { left, centre, right } across = Across::centre;
-  enum class Along { bottom, centre, top } along = Along::centre;  ///< of capital letters
-  bool upwards = false;  ///< read from below to above, turned about its place
+  enum class Along { bottom, centre, top } along = Along::centre;  ///< part of a capital letter at the point
+  bool upwards = false;  ///< text runs from bottom to top, rotated about its point
 };
 
-/// Letters of one size at one height.
+/// A part of a text with letters of one size at one height.
 struct TextRun {
   std::string text;
-  double size = 1;  ///< of the font, as a part of that of the text
-  double lift = 0;  ///< above the line, as a part of the size of the text
+  double size = 1;  ///< font size, as a share of that of the text
+  double lift = 0;  ///< height above the baseline, as a share of the size of the text
   friend bool operator==(const TextRun&, const TextRun&) = default;
 };
 
-/// Takes "F_n", "10^{-4}" and the like apart: _ lowers and ^ raises the next letter, or what stands in
-/// braces.
+/// Splits texts such as "F_n" and "10^{-4}" into runs: _ lowers and ^ raises the next letter, or the letters
+/// in braces.
 std::vector<TextRun> text_runs(const std::string& text);
 
 /// Width of such a text [pixels].

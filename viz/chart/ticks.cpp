@@ -9,7 +9,7 @@
 namespace furnas {
 namespace {
 
-/// Ends of a stretch that lie on a mark but for rounding count as on it.
+/// Tolerance for rounding: an end of a stretch this close to a mark counts as on the mark.
 constexpr double hair = 1e-9;
 
 /// m times 10^n, m in 1 ... 9.
@@ -30,7 +30,7 @@ double tick_distance(double length, int most) {
 }
 
 Stretch widened_to_ticks(const Stretch& stretch, int most) {
-  // Widening may call for a larger distance, which is then kept.
+  // The widened stretch may need a larger distance of marks, which is then used.
   const double rough = tick_distance(stretch.high - stretch.low, most);
   const auto ends = [&](double d) {
     return Stretch{d * std::floor(stretch.low / d + hair), d * std::ceil(stretch.high / d - hair)};

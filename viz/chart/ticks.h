@@ -8,10 +8,10 @@ namespace furnas {
 /// A mark on an axis.
 struct Tick {
   double at;          ///< value; on a logarithmic axis its decimal logarithm
-  std::string label;  ///< empty: a short mark without a number
+  std::string label;  ///< empty: a short mark without a label
 };
 
-/// The stretch of an axis that is drawn, low < high; on a logarithmic axis decimal logarithms.
+/// The part of an axis that is drawn, low < high; on a logarithmic axis in decimal logarithms.
 struct Stretch {
   double low, high;
 };
@@ -20,7 +20,7 @@ struct Stretch {
 /// `length`.
 double tick_distance(double length, int most);
 
-/// The stretch widened until it ends on marks of a linear axis.
+/// The stretch, widened so that it begins and ends at marks of a linear axis.
 Stretch widened_to_ticks(const Stretch& stretch, int most);
 
 /// Marks at round numbers, all with a label.
