@@ -191,12 +191,12 @@ class TradeoffReader {
     must(terms.samples.has_value(), "samples");
     must(terms.margin.has_value(), "margin");
     must(terms.reference.has_value(), "reference");
-    TradeoffCase c{entry.name, *terms.reference, *terms.samples, *terms.margin, {}};
+    TradeoffCase c{entry.name, *terms.reference, *terms.samples, *terms.margin, {}, entry.set};
     std::map<std::string, std::string> known;
     for (const Entry& arm : arms) {
       if (!arm.cases.empty() && std::find(arm.cases.begin(), arm.cases.end(), c.name) == arm.cases.end())
         continue;
-      c.arms.push_back({arm.name, case_of(entry, arm), arm.pressure_alone});
+      c.arms.push_back({arm.name, case_of(entry, arm), arm.pressure_alone, arm.set});
       const auto [same, fresh] = known.emplace(resolved_toml(c.arms.back().c), arm.name);
       if (!fresh)
         throw InputError(

@@ -12,7 +12,8 @@ namespace furnas {
 struct TradeoffArm {
   std::string name;
   Case c;
-  bool pressure_alone{};  ///< the arm changes compaction.pressure, to one value, and nothing else
+  bool pressure_alone{};           ///< the arm changes compaction.pressure, to one value, and nothing else
+  std::vector<std::string> set{};  ///< what it changes, as assignments of --set
 };
 
 /// Arms that are compared on one case.
@@ -22,6 +23,7 @@ struct TradeoffCase {
   int samples = 1;        ///< of each arm: seeds from mixture.seed on
   double margin{};        ///< of equivalence, in phi
   std::vector<TradeoffArm> arms;
+  std::vector<std::string> set{};  ///< what makes it, as assignments of --set
 };
 
 /// A file of `furnas bench tradeoff`: a case file whose tables give what all runs share, and besides them

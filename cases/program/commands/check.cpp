@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 
+#include "cases/program/bench/tradeoff/known_bias.h"
 #include "cases/program/commands/command.h"
 #include "cases/program/preflight.h"
 #include "cases/program/sweep/sweep.h"
@@ -38,6 +39,7 @@ Command check_command() {
     validate(c);
     const Preflight preflight = check_case(c);
     console.out << preflight.report;
+    for (const std::string& bias : known_biases(c)) console.out << "bias      " << bias << '\n';
     if (preflight.refusal.empty()) return ExitCode::done;
     console.err << "furnas: refused: " << preflight.refusal << '\n';
     return ExitCode::refused;

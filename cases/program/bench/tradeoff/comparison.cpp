@@ -1,6 +1,7 @@
 #include "cases/program/bench/tradeoff/comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -161,11 +162,12 @@ const ComparedArm* ComparedCase::reference_arm() const {
 std::vector<ComparedCase> compare(const TradeoffFile& tradeoff, const SampleTable& samples) {
   std::vector<ComparedCase> all;
   for (const TradeoffCase& c : tradeoff.cases) {
-    ComparedCase compared{c.name, c.reference, c.margin, {}};
+    ComparedCase compared{c.name, c.reference, c.set, c.margin, {}};
     std::vector<ArmSamples> lists(c.arms.size());
     std::size_t reference = 0;
     for (std::size_t k = 0; k < c.arms.size(); ++k) {
       compared.arms.push_back(arm_of(c.name, c.arms[k].name, samples, lists[k]));
+      compared.arms.back().set = c.arms[k].set;
       if (c.arms[k].name == c.reference) reference = k;
     }
     if (auto zero = extrapolation(c, compared.arms, lists)) compared.arms.push_back(std::move(*zero));
@@ -203,6 +205,8 @@ Table comparison_csv(const std::vector<ComparedCase>& cases, const std::string& 
                "wall_seconds_high",
                "steps",
                "evaluations",
+               "case_settings",
+               "arm_settings",
                "version"});
   for (const ComparedCase& c : cases)
     for (const ComparedArm& arm : c.arms) {
@@ -222,7 +226,9 @@ Table comparison_csv(const std::vector<ComparedCase>& cases, const std::string& 
         cells.push_back(std::to_string(n));
       add_spread(cells, arm.core_seconds);
       add_spread(cells, arm.wall_seconds);
-      cells.insert(cells.end(), {real(arm.steps), real(arm.evaluations), version});
+      cells.insert(cells.end(),
+                   {real(arm.steps), real(arm.evaluations), fmt::format("{}", fmt::join(c.set, " ")),
+                    fmt::format("{}", fmt::join(arm.set, " ")), version});
       table.row(cells);
     }
   return table;

@@ -34,6 +34,7 @@ std::size_t samples_to_decide(double deviation_a, double deviation_b, double dif
 /// One arm on one case.
 struct ComparedArm {
   std::string arm;
+  std::vector<std::string> set;  ///< the keys that it changes, as assignments of --set
   Standing standing = Standing::failed;
   std::size_t samples{};  ///< planned
   std::size_t jammed{}, settled{}, budget{}, diverged{}, failed{}, unfinished{};
@@ -50,6 +51,7 @@ struct ComparedArm {
 /// All arms on one case.
 struct ComparedCase {
   std::string name, reference;
+  std::vector<std::string> set;  ///< the keys of the case, as assignments of --set
   double margin{};
   std::vector<ComparedArm> arms;
 
