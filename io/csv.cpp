@@ -17,12 +17,12 @@ std::string in_quotes(const std::string& cell) {
   return text + '"';
 }
 
-/// Where the quotes that open at the front of a text close; nothing if they do not.
+/// The place of the closing quote of a text that begins with a quote; empty if it is not closed.
 std::optional<std::size_t> closing_quote(std::string_view text) {
   for (std::size_t at = 1; at < text.size(); ++at) {
     if (text[at] != '"') continue;
     if (at + 1 == text.size() || text[at + 1] != '"') return at;
-    ++at;  // two of them stand for one
+    ++at;  // two quotes mean one
   }
   return {};
 }

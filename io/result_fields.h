@@ -17,19 +17,19 @@ struct ResultField {
   nlohmann::ordered_json (*value)(const Result&, const Case&);
 };
 
-/// The same of an entry of "rattlers", one for each threshold of contacts.
+/// The same for an entry of "rattlers", one for each threshold of contacts.
 struct RattlerField {
   OutputField about;
   nlohmann::ordered_json (*value)(const RattlerCount&, const Result&);
 };
 
-/// The same of an entry of "resting_states", one for each pressure at which the packing came to rest.
+/// The same for an entry of "resting_states", one for each pressure at which the packing came to rest.
 struct RestingField {
   OutputField about;
   nlohmann::ordered_json (*value)(const RestingState&);
 };
 
-/// All of them, in the order of the file; "rattlers" and "resting_states" stand for their lists.
+/// All fields, in the order of the file; "rattlers" and "resting_states" are lists with fields of their own.
 std::span<const ResultField> result_fields();
 std::span<const RattlerField> rattler_fields();
 std::span<const RestingField> resting_fields();

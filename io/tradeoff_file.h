@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A case with the keys of an arm in it.
+/// A case with the settings of an arm.
 struct TradeoffArm {
   std::string name;
   Case c;
@@ -24,13 +24,14 @@ struct TradeoffCase {
   std::vector<TradeoffArm> arms;
 };
 
-/// A file of `furnas bench tradeoff`: a case file whose tables give what all runs share, and besides them
+/// A file of `furnas bench tradeoff`: a case file whose tables hold the settings of all runs, and in addition
 ///
 ///     [tradeoff]                      # samples, margin, reference
 ///     [cases.NAME]                    # keys of the case in quotes; samples, margin, reference of its own
 ///     [arms.NAME]                     # keys in quotes, preset among them; cases = ["NAME", ...]: only these
 ///
-/// in the order of the file. Names are made of letters, digits and "._+-", for they become folders.
+/// in the order of the file. Names consist of letters, digits and "._+-", because they become names of
+/// folders.
 struct TradeoffFile {
   std::vector<TradeoffCase> cases;
 };

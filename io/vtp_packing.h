@@ -23,7 +23,7 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
 void write_cell_vtp(const Packing& packing, const std::filesystem::path& path);
 
 /// Reads what write_vtp() writes, also after ParaView has saved it in its default way. Needed are the point
-/// array radius and the field array cell (9 numbers); all other arrays are taken if there, ids in any order.
+/// array radius and the field array cell (9 numbers); all other arrays are read if present, ids in any order.
 /// Throws InputError.
 Packing read_vtp(const std::filesystem::path& path);
 
