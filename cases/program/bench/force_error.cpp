@@ -31,7 +31,7 @@ void sort_by_pair(std::vector<PairForce>& forces) {
             [](const PairForce& a, const PairForce& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
 }
 
-/// What of the laws decides the force of a fresh contact.
+/// The parameters of a law that determine the force of a fresh contact (one without history).
 struct FreshLaw {
   HookeConstants constants;
   bool spins, legacy;
@@ -101,7 +101,7 @@ std::vector<PairForce> forces_of(const std::vector<Contact>& contacts) {
   return forces;
 }
 
-/// Adds up the differences of contacts that mean the same image of the same pair.
+/// Adds up the force differences of contacts of the same image of the same pair.
 class Comparison {
  public:
   void compare(const Packing& p, const std::vector<PairForce>& exact, const std::vector<PairForce>& found) {
@@ -160,7 +160,7 @@ ForceError force_error(const AnyLaw& law, const Packing& packing, const std::vec
 
 ForceError force_error(const Model& model, const Packing& packing, int threads) {
   Packing start = packing;
-  start.order.clear();  // so that the forces are taken from the positions
+  start.order.clear();  // so that the forces are computed from the positions
   start.contacts.clear();
   const auto simulation = make_simulation(model, start, threads);
   return force_error(model.law, packing, simulation->packing().contacts);

@@ -21,7 +21,7 @@ struct Options {
 
 std::string default_text(const Key& key) {
   const std::string value = value_text(key, Case{});
-  return value.empty() ? fmt::format("left out; {} counts", key.rival) : value;
+  return value.empty() ? fmt::format("left out; {} is used", key.rival) : value;
 }
 
 constexpr std::string_view sweep_doc =
@@ -68,8 +68,7 @@ void print_markdown(std::ostream& out) {
     out << fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), key.unit,
                        default_text(key), allowed_text(key), key.doc);
   }
-  out << "\n## Presets\n\nThe values of a preset stand in for the defaults; a key that the case gives counts "
-         "before "
+  out << "\n## Presets\n\nA preset replaces the defaults of its keys. A value that the case gives replaces "
          "both.\n\n| preset | what it is | keys |\n|---|---|---|\n";
   for (const Preset& preset : presets())
     out << fmt::format("| `{}` | {} | `{}` |\n", preset.name, preset.does,
@@ -83,11 +82,11 @@ Command schema_command() {
   const auto options = std::make_shared<Options>();
   return {
       .name = "schema",
-      .does = "list every key of the case file, or what the files of runs and sweeps hold",
+      .does = "list every key of the case file, or describe the files of runs and sweeps",
       .example = "furnas schema --markdown > docs/reference/case-file.md",
       .setup =
           [options](CommandLine& app) {
-            app.flag("--markdown", options->markdown, "as the page docs/reference/case-file.md");
+            app.flag("--markdown", options->markdown, "print the page docs/reference/case-file.md");
             app.flag("--outputs", options->outputs,
                      "every field, column and array of the files that runs and sweeps write, as the page "
                      "docs/reference/outputs.md");

@@ -63,7 +63,7 @@ std::string points_table(const Study& study) {
       "φ_J | ± (95 %) | finite size | effective size | thickness |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
-    if (p.unfinished == p.samples) continue;  // nothing is known of it
+    if (p.unfinished == p.samples) continue;  // without a finished sample there is nothing to report
     const auto& phi = p.mean_phi_J;
     text += fmt::format(
         "| {} | {} | {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} | {}{} "
@@ -97,10 +97,11 @@ A cell thinner than 3 largest diameters does not stand for a large packing: its 
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
       "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed and settled "
-      "samples together. Where the small spheres rattle only the large ones count. Finite size: what φ_J of "
-      "a "
-      "large packing is above that of so many spheres, as far as this study has measured it. Thickness: of "
-      "the thinnest cell, in largest diameters; at most so much where tables of older versions do not tell. "
+      "samples together. Where the small spheres rattle only the large ones count. Finite size: φ_J of a "
+      "large packing minus φ_J of a packing of this many spheres, as far as this study has measured it. "
+      "Thickness: of "
+      "the thinnest cell, in largest diameters; an upper bound, marked at most, where tables of older "
+      "versions do not contain it. "
       "Points of which no sample is finished are left out.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";

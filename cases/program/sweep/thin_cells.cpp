@@ -17,7 +17,7 @@ namespace furnas {
 
 double dense_thickness(const Case& c) {
   if (!c.start.file.empty()) return std::numeric_limits<double>::infinity();
-  double volume = 0, largest = 1;  // of all spheres in those of a smallest one, and [d_s]
+  double volume = 0, largest = 1;  // volume of all spheres in units of d_s^3 pi/6; largest diameter [d_s]
   if (!c.mixture.diameters.empty()) {
     for (const double d : read_diameters(c.mixture.diameters).diameters) {
       volume += d * d * d;

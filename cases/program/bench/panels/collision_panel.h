@@ -13,7 +13,7 @@ struct CollisionError {
   double steps{};        ///< in a collision, t_c/dt
   std::string quantity;  ///< "restitution", "slip stuck", "slip sliding", "spin sliding"
   double expected{};     ///< by the closed form
-  double mean{}, rms{};  ///< (is - expected)/expected
+  double mean{}, rms{};  ///< of (measured - expected)/expected
 };
 
 /// E1: restitution exp(-gamma t/2) head-on; slip with mu = 1e30, and slip and spin with gross sliding, whose

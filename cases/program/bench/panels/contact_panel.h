@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// The errors of contacts that endure, each relative to its closed form.
+/// Errors of enduring contacts, each relative to its closed form.
 struct ContactError {
   std::string law;
   double steps{};      ///< in a collision, t_c/dt

@@ -17,7 +17,7 @@ struct ForceErrorRow {
   ForceError error;
 };
 
-/// E4. The packings come from outside, so it is made by `furnas bench error`.
+/// E4. This panel needs packings as input, so `furnas bench error` makes it.
 PanelResult panel_of(const std::vector<ForceErrorRow>& rows);
 
 }  // namespace furnas

@@ -24,7 +24,7 @@ Packing colliding_gas(std::int64_t count) {
   return p;
 }
 
-/// All places at each look.
+/// All positions at each time of comparison.
 std::vector<Places> trajectory(const Packing& start, double step, Precision precision, int threads,
                                int looks) {
   Model model = model_of<HookeSynchronized>({.normal_damping = 0, .tangential_damping = 0, .friction = 0.3},
