@@ -94,7 +94,7 @@ const Format& writable(std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.name == name && f.write; });
   if (found == all.end())
-    throw InputError(fmt::format("'{}' is no format of a packing to write; allowed are {}", name,
+    throw InputError(fmt::format("'{}' is no format to write; allowed are {}", name,
                                  listed([](const Format& f) { return f.write != nullptr; })));
   return *found;
 }

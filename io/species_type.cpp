@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/state/species.h"
+
 namespace furnas {
 namespace {
 

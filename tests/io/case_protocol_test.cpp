@@ -145,7 +145,8 @@ TEST(CaseProtocol, AListOfDiametersIsAStart) {
         << "in the order of lines";
   EXPECT_NEAR(packing.fraction_filled(), 0.05, 1e-12);
   write_file(folder / "sizes.txt", "1\n1\n1\n");
-  EXPECT_THAT(refusal_of_start([&] { start_of(c); }), HasSubstr("3 spheres make a cell 1.3 diameters"));
+  EXPECT_THAT(refusal_of_start([&] { start_of(c); }),
+              HasSubstr("3 spheres make a cell only 1.3 smallest diameters"));
 }
 
 TEST(CaseProtocol, TheSmallestSpheresThatExistAreTheUnit) {

@@ -59,7 +59,8 @@ Certificate all_passed(Proves stability) {
 
 TEST(CertificateFile, BeginsWithWhatIsProvenAndWhatIsNot) {
   const std::string stable = certificate_text(all_passed(Proves::sufficient), {}, "a run");
-  EXPECT_THAT(stable, HasSubstr("Certificate of a run\n\nProven, to first order: "));
+  EXPECT_THAT(stable, HasSubstr("Certificate of a run\n\nForces balance at the applied pressure within the "
+                                "limits below. Proven, to first order: "));
   EXPECT_THAT(stable, HasSubstr("Not proven: what large motions"));
   const std::string sliding = certificate_text(all_passed(Proves::necessary), {}, "a run");
   EXPECT_THAT(sliding, HasSubstr("Not proven: that every small motion costs energy"));

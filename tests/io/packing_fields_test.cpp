@@ -71,7 +71,10 @@ TEST(PackingFields, AreThePropertiesOfExtendedXyz) {
 TEST(PackingFields, AreTheColumnsOfContactsCsv) {
   const TemporaryFolder folder;
   Packing p = random_packing(1);
-  p.contacts = {{.i = 2, .j = 0, .sliding = true, .branch = {1, 2, 3}, .overlap = 0.25, .force = {4, 5, 6}}};
+  Contact contact;
+  contact.i = 2, contact.j = 0, contact.sliding = true;
+  contact.branch = {1, 2, 3}, contact.overlap = 0.25, contact.force = {4, 5, 6};
+  p.contacts = {contact};
   write_contacts_csv(p, folder / "a.csv");
   const std::string text = content(folder / "a.csv");
   std::string names;

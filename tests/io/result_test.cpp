@@ -96,7 +96,9 @@ TEST(Result, HasEveryKeyThatIsPromised) {
   EXPECT_EQ(json["threads"], 3);
   EXPECT_EQ(json["applied_pressure"], 1e-4);
   EXPECT_EQ(json["cell"], (Json{{"lx", 2}, {"ly", 3}, {"lz", 4}, {"xy", 0.3}, {"xz", 0.2}, {"yz", 0.1}}));
-  EXPECT_EQ(json["diameters"], (Json{{"sizes", 2}, {"smallest", 1.0}, {"mean", 1.12}, {"largest", 1.6}}));
+  EXPECT_EQ(
+      json["diameters"],
+      (Json{{"sizes", 2}, {"smallest", 1.0}, {"mean", 1.12}, {"largest", 1.6}, {"listed_unit", nullptr}}));
   // The volume over the face that the second and the third edge span.
   EXPECT_NEAR(json["thickness_in_largest_diameters"], 24 / std::hypot(12, 1.2, 0.57) / 1.6, 1e-12);
 }

@@ -111,6 +111,20 @@ std::string write_kit(const Options& o) {
   return folder;
 }
 
+/// The formats of packings, and the other words for FORMAT.
+std::string names_of_all_formats() {
+  std::string all = names_of_written_formats() + ", " + contacts;
+  for (const SolidFormat& solid : solids) all += fmt::format(", {}", solid.name);
+  return all + ", " + kit;
+}
+
+void require_known_format(const std::string& format) {
+  const std::string all = names_of_all_formats();
+  if (format.find_first_of(", ") == format.npos && (", " + all + ",").find(", " + format + ",") != all.npos)
+    return;
+  throw InputError(fmt::format("'{}' is no format to write; allowed are {}", format, all));
+}
+
 void require_solid_options_fit(const Options& options) {
   if (options.edge && !solid_of(options.format))
     throw InputError(fmt::format("--edge and {} exclude each other; allowed: stl, voxels", options.format));
@@ -145,6 +159,7 @@ Command export_command() {
              "of the box; default: each sphere once and whole");
   };
   command.run = [options](Console console) {
+    require_known_format(options->format);
     require_solid_options_fit(*options);
     remark_on_older_checkpoint(options->source, console.err);
     if (options->format == kit) {

@@ -82,10 +82,6 @@ const SampleColumn sample_column_table[] = {
      "p_a / (k_n/d_s)",
      [](SampleRow& r) -> Value { return &r.pressure; }},
     {{"preset", "", "sample", "the preset of the case"}, "", [](SampleRow& r) -> Value { return &r.preset; }},
-    {{"particles", "", "total",
-      "number of spheres; those outside the backbone are rattlers; empty in tables of older versions"},
-     "spheres",
-     [](SampleRow& r) -> Value { return &r.particles; }},
 };
 
 }  // namespace

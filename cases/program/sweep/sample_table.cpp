@@ -44,7 +44,7 @@ SampleRow row_of_case(const Sample& sample) {
   row.small_fraction = c.mixture.small_fraction;
   row.friction = c.contact.friction;
   row.seed = c.mixture.seed;
-  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = row.particles = unknown;
+  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = unknown;
   row.pressure = c.compaction.pressure.back();
   row.preset = c.preset;
   return row;
@@ -53,7 +53,6 @@ SampleRow row_of_case(const Sample& sample) {
 void take_result(SampleRow& row, const Json& r) {
   row.large = count_in(r.at("large"));
   row.small = count_in(r.at("small"));
-  row.particles = number(r.value("particles", Json()));
   row.verdict = r.at("verdict");
   row.reason = r.at("reason");
   row.phi_J = number(r.at("phi_J"));

@@ -40,9 +40,8 @@ struct SampleRow {
   /// Thickness of the cell, in diameters of the largest sphere. This and the following values are NaN or
   /// empty without a result, and in tables of older versions.
   double thickness = std::numeric_limits<double>::quiet_NaN();
-  double pressure = std::numeric_limits<double>::quiet_NaN();   ///< of the bath at the end, p_a [k_n/d_s]
-  std::string preset;                                           ///< of the case; empty if not known
-  double particles = std::numeric_limits<double>::quiet_NaN();  ///< spheres
+  double pressure = std::numeric_limits<double>::quiet_NaN();  ///< of the bath at the end, p_a [k_n/d_s]
+  std::string preset;                                          ///< of the case; empty if not known
 
   bool jammed() const { return verdict == "jammed"; }
   bool settled() const { return verdict == "settled"; }

@@ -110,7 +110,9 @@ TEST(Plots, SayHowToMakeEqualSpheresWhereTheModelNeedsThem) {
   MadeSweeps made;
   const auto folder = made.add(mixtures({"0.1", "0.3"}));
   EXPECT_THAT(plot_of({.sweeps = {folder}}).remarks,
-              ElementsAre(HasSubstr("contact.friction=0.1"), HasSubstr("contact.friction=0.3")));
+              ElementsAre(testing::AllOf(HasSubstr("no model at friction 0.1, 0.3:"),
+                                         HasSubstr("for the first: furnas sweep"),
+                                         HasSubstr("contact.friction=0.1"))));
 }
 
 TEST(Plots, OfOneCurveNeedNoLegend) {

@@ -93,7 +93,7 @@ TEST_F(Plans, RefusesSeedsOfAStartThatHasNone) {
     samples_of(file, keys_of(file), "s");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("a.toml:3: samples = 2 of start.file"));
+    EXPECT_THAT(error.what(), HasSubstr("a.toml:3: samples = 2, but start.file"));
   }
 }
 

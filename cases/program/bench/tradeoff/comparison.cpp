@@ -41,6 +41,7 @@ ComparedArm arm_of(const std::string& case_name, const std::string& arm_name, co
     lists.steps.push_back(static_cast<double>(row.steps));
     lists.evaluations.push_back(static_cast<double>(row.evaluations));
   }
+  if (arm.unfinished == arm.samples) arm.standing = Standing::unfinished;
   if (!lists.wall.empty()) arm.wall_seconds = spread_of(lists.wall);
   if (!lists.core.empty()) arm.core_seconds = spread_of(lists.core);
   arm.steps = lists.steps.empty() ? unknown : spread_of(lists.steps).median;
@@ -135,6 +136,8 @@ const char* to_string(Standing standing) {
       return "undecided";
     case Standing::failed:
       return "failed";
+    case Standing::unfinished:
+      return "unfinished";
   }
   return "";
 }

@@ -17,7 +17,8 @@ enum class Standing {
   equivalent,  ///< the interval lies within +-M
   different,   ///< the interval excludes 0 and is not within +-M
   undecided,   ///< neither; more samples are needed
-  failed       ///< no sample of the arm, or of the reference, has a density
+  failed,      ///< samples of the arm have ended, and none of them, or none of the reference, has a density
+  unfinished   ///< no sample has ended
 };
 
 const char* to_string(Standing standing);

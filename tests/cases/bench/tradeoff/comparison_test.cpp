@@ -73,10 +73,12 @@ TEST(Tradeoff, ComparesEachArmWithTheReference) {
     table.rows.push_back(made_sample("lost", no_density, 3, "budget"));
   }
   table.rows.push_back(made_sample("same", no_density, 5, "diverged"));
-  const auto all = compare(made_file({"best", "same", "loose", "wild", "lost"}), table);
+  table.rows.push_back(made_sample("later", no_density, 0, "unfinished"));
+  const auto all = compare(made_file({"best", "same", "loose", "wild", "lost", "later"}), table);
   ASSERT_EQ(all.size(), 1u);
   const auto& arms = all[0].arms;
-  ASSERT_EQ(arms.size(), 5u);
+  ASSERT_EQ(arms.size(), 6u);
+  EXPECT_EQ(arms[5].standing, Standing::unfinished);
   EXPECT_EQ(arms[0].standing, Standing::reference);
   EXPECT_EQ(arms[1].standing, Standing::equivalent);
   EXPECT_EQ(arms[2].standing, Standing::different);
