@@ -100,7 +100,7 @@ TEST(FilesOfOthers, WhatAFormatCannotHoldIsSaid) {
   const Runs runs;
   ASSERT_EQ(runs.run("a", {"stop.steps=3000"}).code, ExitCode::budget_spent);
   const Answer data = furnas({"export", runs.path("a"), "lammps-data", "--out", runs.path("a.data")});
-  EXPECT_THAT(data.err, AllOf(HasSubstr("lammps-data has no place for the time, forces"),
+  EXPECT_THAT(data.err, AllOf(HasSubstr("lammps-data cannot store the time, forces"),
                               HasSubstr("contacts with their histories")));
   const Answer back = furnas({"import", runs.path("a.data"), "--out", runs.path("b.lammpstrj")});
   EXPECT_EQ(back.err, "") << "nothing more is lost";

@@ -35,8 +35,7 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
   switch (verdict) {
     case Verdict::jammed:
       if (c.stop.criterion == "paper")
-        return "the kinetic energy is below its limit, which is the only criterion of stop.criterion = "
-               "\"paper\"";
+        return "the kinetic energy is below its limit, which is the only condition of stop.criterion = paper";
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
     case Verdict::settled:
       return "phi can change by less than stop.phi_error";
