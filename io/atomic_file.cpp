@@ -18,7 +18,7 @@ constexpr std::size_t buffer_size = std::size_t{1} << 20;
 bool sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  // Some file systems cannot sync a folder and say EINVAL; there is nothing more to be done on them.
+  // Some file systems cannot sync a folder and return EINVAL; this is not an error.
   const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;
   const int error = errno;
   ::close(descriptor);

@@ -10,7 +10,7 @@
 namespace furnas {
 
 /// Reads a case from TOML. Every error is an InputError of one line that names the file, the line, the key,
-/// its value and what is allowed. `name` stands for the file in errors; each of `overrides` is an
+/// its value and what is allowed. `name` is the name of the file in errors; each of `overrides` is an
 /// assignment as in `apply_override`.
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides = {});
 

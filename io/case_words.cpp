@@ -65,7 +65,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Two words are alike if less than half of the letters differ.
+/// Two words are similar if less than half of the letters differ.
 bool alike(std::size_t distance, std::string_view a, std::string_view b) {
   return 2 * distance < std::max(a.size(), b.size());
 }

@@ -25,7 +25,7 @@ std::string failed_parts(const Certificate& c) {
   return failed;
 }
 
-/// What all parts together have proven, and what they have not.
+/// What all parts together prove, and what they do not prove.
 std::string conclusion(const Certificate& c, const CertificateTerms& terms) {
   if (!c.passed() && !terms.histories)
     return fmt::format(

@@ -25,7 +25,7 @@ static_assert(sizeof(Cell) == 12 * sizeof(double) && sizeof(Fraction) == 3 * siz
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-/// Writes what exchange() names.
+/// Writes the sections that exchange() lists.
 class Saver {
  public:
   explicit Saver(const std::filesystem::path& path) : writer_(path, format) {}
@@ -59,8 +59,8 @@ class Saver {
   SectionWriter writer_;
 };
 
-/// Reads what exchange() names. Lists grow as their elements are read; no number in the file sets their size
-/// in advance.
+/// Reads the sections that exchange() lists. Lists grow as their elements are read; no number in the file
+/// sets their size in advance.
 class Loader {
  public:
   explicit Loader(const std::filesystem::path& path) : reader_(path, format) {}

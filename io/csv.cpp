@@ -36,7 +36,7 @@ std::string unquoted(std::string_view inside) {
   return text;
 }
 
-/// Takes a cell and the comma behind it from the front of a row; nothing if its quotes are not closed yet.
+/// Takes a cell and the comma after it from the front of a row; empty if its quotes are not closed yet.
 std::optional<std::string> take_cell(std::string_view& row, bool& last) {
   std::size_t end = row.find(',');
   std::optional<std::string> cell;

@@ -53,7 +53,7 @@ bool is_read(const Format& f) { return f.read != nullptr || f.read_frame != null
 Packing read_as(const Format& format, const std::filesystem::path& path, std::optional<std::int64_t> frame) {
   if (format.read_frame) return format.read_frame(path, frame);
   if (frame && *frame != 1)
-    throw InputError(fmt::format("{}: there is no frame {}: a file of the format {} holds one packing",
+    throw InputError(fmt::format("{}: there is no frame {}: a file of the format {} contains one packing",
                                  path.string(), *frame, format.name));
   return format.read(path);
 }

@@ -21,7 +21,7 @@ struct Places {
   bool names{};   ///< of types
 };
 
-/// A kind of file that holds a packing.
+/// A format of files with a packing.
 struct Format {
   std::string_view name;        ///< as in `export DIR NAME`
   std::string_view extensions;  ///< with dots, between blanks; the first is the usual one

@@ -15,8 +15,8 @@ namespace furnas {
 /// The header of a LAMMPS data file, line by line.
 class LammpsHeader {
  public:
-  /// Takes a line of words; `names` are those in the comment behind it. Throws InputError for a line it does
-  /// not know.
+  /// Takes a line of words; `names` are the words of the comment after it. Throws InputError for a line it
+  /// does not know.
   void take(const TextReader& reader, const std::vector<std::string_view>& words,
             std::vector<std::string> names);
   /// Throws InputError at the reader's line unless the header is complete; cell() is valid afterwards.

@@ -15,7 +15,7 @@ namespace furnas {
 
 /// One particle as a line of a text file gives it.
 struct ParticleRow {
-  std::int64_t id{};        ///< any whole number, once in a file
+  std::int64_t id{};        ///< any whole number, unique in a file
   std::int64_t line{};      ///< its line number in the file
   std::int32_t type{};      ///< 1 or more; 0: the file has none
   double radius{};          ///< [d_s]

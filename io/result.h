@@ -13,7 +13,7 @@
 
 namespace furnas {
 
-/// What a run found, and how.
+/// The result of a run, and how it was reached.
 struct Result {
   Verdict verdict = Verdict::budget;
   std::string reason;                      ///< why it ended so, in a sentence
@@ -51,8 +51,8 @@ struct Result {
   std::optional<double> phi_J() const;
 };
 
-/// A cell that is fewer largest diameters thick is too thin: spheres share neighbours with their own images,
-/// and the cell does not stand for a large packing.
+/// A cell thinner than this number of largest diameters is too thin: spheres share neighbours with their own
+/// images, and the cell does not stand for a large packing.
 inline constexpr double least_thickness = 3;
 
 /// A remark for the user on a cell of this thickness; empty if it is thick enough.

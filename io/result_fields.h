@@ -12,7 +12,7 @@ namespace furnas {
 /// A number or word of result.json. The table of all is the only place that knows their names; writing and
 /// documenting go through it.
 struct ResultField {
-  OutputField about;  ///< "stress.xx" stands in an object "stress"
+  OutputField about;  ///< "stress.xx" is the field "xx" of an object "stress"
   /// NaN and infinity become null in the file.
   nlohmann::ordered_json (*value)(const Result&, const Case&);
 };

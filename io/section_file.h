@@ -30,7 +30,7 @@ namespace furnas {
 // frame. The hash of the trailer is XXH3 over the file's first 16 bytes, the hashes of the sections and the
 // trailer's first 16 bytes. So no byte of the file can change unnoticed.
 
-/// What a kind of section file begins with.
+/// The beginning of a kind of section file.
 struct SectionFormat {
   std::string_view magic;   ///< 8 characters
   std::uint32_t version{};  ///< grows when the sections change
@@ -59,7 +59,7 @@ class SectionWriter {
     end();
   }
 
-  /// Writes the trailer and puts the file in its place.
+  /// Writes the trailer and renames the file to its final name.
   void commit();
 
  private:

@@ -12,13 +12,13 @@ namespace furnas {
 /// The key whose value is the path of a start.
 inline constexpr const char* start_key = "start.file";
 
-/// A key of the case and the values it takes in turn.
+/// A key of the case and its values in the sweep.
 struct SweepAxis {
   std::string key;                  ///< "contact.friction"
   std::vector<std::string> values;  ///< as in an assignment of --set
 };
 
-/// All combinations of the values, each with so many seeds: mixture.seed, +1, +2 ...
+/// All combinations of the values, each with a number of seeds: mixture.seed, mixture.seed + 1, ...
 struct SweepGrid {
   std::vector<SweepAxis> axes;
   int samples = 1;

@@ -57,7 +57,7 @@ class TextReader {
   std::int32_t particle_type(std::string_view word) const;
   /// Cells that a particle has crossed along an edge, up to 1e9.
   std::int32_t image(std::string_view word) const;
-  /// How many particles follow: at least one, and no more than the file can hold if each takes
+  /// The number of particles that follow: at least one, and no more than the file can contain if each takes
   /// `least_bytes`.
   std::size_t particle_count(std::string_view word, std::size_t least_bytes) const;
 

@@ -18,9 +18,9 @@ struct TradeoffArm {
 /// Arms that are compared on one case.
 struct TradeoffCase {
   std::string name;
-  std::string reference;  ///< the arm that the others are compared with; one of `arms`
-  int samples = 1;        ///< of each arm: seeds from mixture.seed on
-  double margin{};        ///< of equivalence, in phi
+  std::string reference;  ///< name of the arm, one of `arms`, with which the others are compared
+  int samples = 1;  ///< number of samples of each arm; their seeds are mixture.seed, mixture.seed + 1, ...
+  double margin{};  ///< of equivalence, in phi
   std::vector<TradeoffArm> arms;
 };
 

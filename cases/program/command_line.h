@@ -36,7 +36,7 @@ class Argument {
 
 /// Options and arguments of a command; each is declared once, with the variable that it sets.
 ///
-/// The class hides CLI11, whose header alone takes a compiler 7 to 10 seconds, from the commands.
+/// The class hides CLI11 from the commands, because the header of CLI11 takes 7 to 10 seconds to compile.
 class CommandLine {
  public:
   explicit CommandLine(CLI::App& app) : app_(&app) {}

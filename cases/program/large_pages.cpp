@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t page = std::size_t{2} << 20;
 
 /// Memory, null if there is none. An array that fills pages of two megabytes is placed on such pages, where
-/// the system gives them when asked (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step
+/// the system gives them on request (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step
 /// accesses partners all over its arrays, and with pages of 4 kB the processor spends a fifth of its time on
 /// address translation. The last page is a large one only if it is well filled, so that little is wasted.
 void* allocate(std::size_t size) {

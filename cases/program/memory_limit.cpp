@@ -15,7 +15,7 @@ void lower(MemoryLimit& limit, double bytes, const char* source) {
   if (bytes > 0 && bytes < limit.bytes) limit = {bytes, source};
 }
 
-/// The folders of the control groups of this process, with the name of the file that holds a limit.
+/// The folders of the control groups of this process, with the name of the file that contains a limit.
 std::vector<fs::path> limit_files(const fs::path& root) {
   const fs::path groups = root / "sys/fs/cgroup";
   std::vector<fs::path> files;

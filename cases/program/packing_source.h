@@ -35,7 +35,7 @@ std::optional<Case> case_about(const PackingSource& source, const std::string& f
 /// Declares the argument that names such a source, and the option for its frame.
 void add_packing_source(CommandLine& app, std::string& name, std::optional<std::int64_t>& frame);
 
-/// Declares the option for the frame of a file alone.
+/// Declares only the option for the frame of a file.
 void add_frame(CommandLine& app, std::optional<std::int64_t>& frame);
 
 /// Prints which data of the packing a file of this format cannot store, if any.

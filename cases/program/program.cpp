@@ -115,7 +115,7 @@ ExitCode run_program(std::span<const Command> commands, std::vector<std::string>
   app.set_version_flag("--version", fmt::format("furnas {}", build_info().version));
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.footer(fmt::format("furnas COMMAND --help tells more about a command.\n\n{}", exit_codes));
+  app.footer(fmt::format("furnas COMMAND --help describes a command.\n\n{}", exit_codes));
 
   const Command* chosen = nullptr;
   for (const Command& command : commands) {

@@ -73,7 +73,7 @@ TEST(FilesOfOthers, ATrajectoryGivesItsLastFrameOrTheOneAskedFor) {
   EXPECT_EQ(edge({}), 8);
   EXPECT_EQ(edge({"--frame", "1"}), 4);
   EXPECT_THAT(furnas({"import", runs.path("t.xyz"), "--frame", "3"}).err, HasSubstr("allowed: 1 to 2"));
-  EXPECT_THAT(furnas({"import", runs.path("t.data"), "--frame", "2"}).err, HasSubstr("holds one packing"));
+  EXPECT_THAT(furnas({"import", runs.path("t.data"), "--frame", "2"}).err, HasSubstr("contains one packing"));
   write_file(runs.path("t.xyz"), frame_of(4, "C 1 3 1 0.25\n"));
   const Answer surplus = furnas({"import", runs.path("t.xyz")});
   EXPECT_EQ(surplus.code, ExitCode::bad_case);

@@ -17,7 +17,7 @@ using Far = Vec3<Long>;
 
 Far wide(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// A contact of either calculation, seen from its later particle.
+/// A contact from either calculation; i is the particle with the larger index.
 struct PairForce {
   std::uint32_t i, j;  ///< j <= i
   Far branch;          ///< from j to i [d_s]
@@ -39,8 +39,8 @@ struct FreshLaw {
   explicit FreshLaw(const AnyLaw& law)
       : constants(constants_of(law)), spins(has_friction(law)), legacy(!arms_meet(law)) {}
 
-  /// Force on i of a contact without history. Beyond the Coulomb limit the legacy law, as LAMMPS, lets a
-  /// fresh contact slide without friction.
+  /// Force on i of a contact without history. In the legacy law, as in LAMMPS, a fresh contact beyond the
+  /// Coulomb limit has no tangential force.
   Far force(const Packing& p, const PairForce& t) const {
     const Long distance = norm(t.branch);
     const Long radius_i = p.radius[t.i], radius_j = p.radius[t.j];
@@ -132,7 +132,7 @@ class Comparison {
   bool take(const PairForce& exact, const PairForce& found, Long near) {
     Far force = found.force;
     if (norm(exact.branch - found.branch) > near) {
-      // A sphere that touches its own image may be seen from either.
+      // The contact of a sphere with its own image may have either of two opposite branches.
       if (exact.i != exact.j || norm(exact.branch + found.branch) > near) return false;
       force = -force;
     }

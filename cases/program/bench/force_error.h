@@ -8,15 +8,15 @@
 
 namespace furnas {
 
-/// How far the forces of the step are from those of the packing in long double.
+/// Differences between the contact forces of a step and a calculation in long double.
 struct ForceError {
-  std::size_t contacts{};  ///< of the packing
+  std::size_t contacts{};  ///< of the packing, from the calculation in long double
   std::size_t missed{};    ///< of these, missing in the step
   std::size_t spurious{};  ///< contacts of the step that the packing does not have
   double median{};         ///< median of |difference|/|force| over the contacts that both have
   double largest{};        ///< largest |difference|/(mean |force|) of these contacts
 
-  /// Missed and spurious contacts over the contacts.
+  /// Number of missed and spurious contacts over the number of contacts.
   double mistaken() const {
     return contacts ? static_cast<double>(missed + spurious) / static_cast<double>(contacts) : 0;
   }

@@ -79,7 +79,7 @@ Lammps::Lammps(fs::path folder, const Packing& packing, const Model& model, int 
 }
 
 void Lammps::call(const LammpsSetting& setting, std::int64_t steps, int ranks, Dump dump) const {
-  // OpenMPI refuses to work for root, as in a container, unless told twice.
+  // OpenMPI refuses to run as root, as in a container, unless two variables are set.
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   fs::remove(folder_ / "log.lammps");

@@ -22,8 +22,8 @@ struct LammpsTiming {
   std::int64_t rebuilds{};  ///< of the neighbour list
 };
 
-/// An installed LAMMPS with a packing to move: by the law that furnas calls hooke_history, with the same
-/// damping, time step and bath as a model.
+/// An installed LAMMPS with a packing. LAMMPS steps the packing with the law that furnas calls hooke_history,
+/// and with the damping, time step and bath of a model.
 class Lammps {
  public:
   /// Writes packing and input deck into `folder`. Throws InputError when no `lmp`, or for several ranks no

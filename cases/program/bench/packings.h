@@ -18,8 +18,8 @@ std::vector<double> benchmark_ratios();
 /// Name of the case and of its folder: "alpha_5".
 std::string benchmark_name(double size_ratio);
 
-/// How often to repeat a packing of `particles` to come close to `wanted` of them, with edges that stay
-/// within a factor of two.
+/// How often to repeat a packing of `particles` along each edge, so that the result has about `wanted`
+/// particles and its edges differ by less than a factor of two.
 Times times_for(std::size_t particles, double wanted);
 
 /// Which packings to measure: files, or prepared packings of these size ratios, repeated to these sizes.

@@ -34,7 +34,8 @@ struct ForceDifference {
 /// both rates, their ratio and the difference of the forces at the start. Both begin without histories.
 ExitCode compare_with_lammps(const PeersOrder& order, Console console);
 
-/// The difference of two lists of forces on the particles of `ours`, whose contacts are known.
+/// The difference between the forces of `ours`, whose contacts are known, and the forces `theirs` on the same
+/// particles.
 ForceDifference difference_of_forces(const Packing& ours, const std::vector<Vec3<double>>& theirs);
 
 }  // namespace furnas

@@ -119,7 +119,7 @@ std::string network_text(const Analysis& a) {
         100 * together.mobilisation->sliding_share(), together.mobilisation->mean, a.friction);
     if (together.mobilisation->beyond > 0)
       text += fmt::format(
-          "          {} contacts exceed this friction: it is not what the packing was made with\n",
+          "          {} contacts exceed this friction, so the packing was made with another friction\n",
           together.mobilisation->beyond);
   }
   text += fmt::format(

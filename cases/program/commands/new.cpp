@@ -20,7 +20,7 @@ namespace {
 
 struct Name {
   std::string_view name;  ///< what the user types
-  std::string_view file;  ///< the case file of cases/ that it stands for
+  std::string_view file;  ///< the case file in cases/ of this name
 };
 
 constexpr auto names = std::to_array<Name>({

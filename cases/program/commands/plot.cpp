@@ -50,7 +50,7 @@ Command plot_command() {
     app.add("--y", options->order.y,
             "mean of points.csv, column of sweep.csv or number of result.json (\"stress.xx\")")
         .showing_default();
-    app.add("--by", options->order.by, "keys that tell curves apart; default: all others that vary");
+    app.add("--by", options->order.by, "keys that differ between curves; default: all other keys that vary");
     app.add("--where", options->order.where, "key=value: only the samples with this value");
     app.add("--out", options->out,
             "file.svg, file.png or file.csv, or a name for all three; default: plots/ in the first sweep's");

@@ -30,7 +30,7 @@ Command replicate_command() {
     app.add("--times", options->times, "how often along each edge, e.g. 2x2x2").required();
     app.flag("--start", options->start,
              "leave out contacts and forces; this needs a third of the memory, and a run that starts from "
-             "the file computes forces anew, without histories");
+             "the file computes new forces, without histories");
   };
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);

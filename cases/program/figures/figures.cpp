@@ -159,7 +159,7 @@ Chart over_frictions(const Study& study, std::string y) {
   return chart;
 }
 
-/// The model against friction, for the frictions that have a phi_mono.
+/// A quantity of the model against friction, for the frictions with a known phi_mono.
 Series model_points(const Study& study, std::string name, LineStyle line,
                     Interval (*value)(const FurnasInterval&)) {
   Series s{std::move(name)};
@@ -253,7 +253,7 @@ void add_history(const Study& study, std::vector<Figure>& figures) {
   pressure.colour = vermilion;
   pressure.line = LineStyle::dashed;
   const double applied =
-      columns[2].empty() ? 1 : columns[2].back();  // at rest the pressure is the applied one
+      columns[2].empty() ? 1 : columns[2].back();  // at rest this pressure equals the applied pressure
   for (std::size_t k = 0; k < columns[0].size(); ++k) {
     if (!(columns[0][k] > 0)) continue;
     phi.x.push_back(columns[0][k]);

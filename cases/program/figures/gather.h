@@ -8,13 +8,13 @@
 
 namespace furnas {
 
-/// The key that samples of different size differ in.
+/// The key that sets the size of a sample.
 inline constexpr const char* number_of_large = "mixture.large";
 
 /// A key of the case and the values it takes among some samples.
 struct VaryingKey {
   std::string key;
-  std::vector<std::string> values;  ///< each once, numbers ascending
+  std::vector<std::string> values;  ///< without repetition, numbers in ascending order
 };
 
 /// The samples of several sweeps in one table, whose keys include all that bear on phi_J and differ.
@@ -22,7 +22,7 @@ struct Gathered {
   /// Its keys are size_ratio, small_fraction, friction, those of the sweeps, and those in which the cases of
   /// the sweeps differ. Equal numbers have equal spellings; an empty value is not known.
   SampleTable table;
-  std::vector<std::filesystem::path> runs;    ///< the folder of each row's run, whether it is there or not
+  std::vector<std::filesystem::path> runs;    ///< the folder of each row's run, which need not exist
   std::vector<std::filesystem::path> sweeps;  ///< the folder of each row's sweep
   std::vector<std::string> remarks;           ///< remarks for the reader, in sentences
 

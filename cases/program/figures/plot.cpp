@@ -19,7 +19,7 @@ namespace {
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// The key of this name, of this name without its table, or of this symbol.
+/// Finds a key by its full name, its name without the table, or its symbol.
 std::string key_named(const std::string& name, const Gathered& all, const char* option) {
   for (const std::string& key : all.table.keys)
     if (key == name || name_in(key) == name || key == key_of_symbol(name)) return key;

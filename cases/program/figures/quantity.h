@@ -21,10 +21,10 @@ struct Quantity {
 };
 
 /// The quantity of this name: a mean of points.csv, or else a column of sweep.csv, or else a number of
-/// result.json, with dots between nested names ("stress.xx"). Throws InputError for a word.
+/// result.json, with dots between nested names ("stress.xx"). Throws InputError if its values are words.
 Quantity quantity_named(const std::string& name);
 
-/// The key that a symbol of docs/reference/notation.md stands for, as "f_s"; empty if there is none.
+/// The key for a symbol of docs/reference/notation.md such as "f_s"; empty if there is none.
 std::string key_of_symbol(const std::string& symbol);
 
 /// A key of the case on the axis of a chart: "μ", "p_a / (k_n/d_s)", "cell damping".

@@ -30,8 +30,9 @@ Agreement positive(double value, double reach) {
   return value + reach <= 0 ? Agreement::not_reproduced : Agreement::not_reachable;
 }
 
-/// Compares a number of the paper with ours: the two may differ by our interval and by the shift of finite
-/// samples. Where our interval is wider than twice that shift, agreement proves nothing: not reachable.
+/// Compares a number of the paper with ours. The two may differ by our interval and by `tolerance`, the
+/// effect of finite samples. Where our interval is wider than twice the tolerance, agreement proves nothing,
+/// and the result is "not reachable".
 Agreement near(double ours, double reach, double paper, double tolerance) {
   if (std::abs(ours - paper) > tolerance + reach) return Agreement::not_reproduced;
   return reach > 2 * tolerance ? Agreement::not_reachable : Agreement::reproduced;
@@ -337,8 +338,8 @@ Statement rises_and_falls(const Study& study) {
 }  // namespace
 
 std::vector<Statement> statements_of(const Study& study) {
-  // Without friction 1000 spheres lie 0.002 below large samples; with it the protocol moves phi_J by up to
-  // 0.01 (docs/results/verification.md).
+  // Without friction phi_J of 1000 spheres is 0.002 below that of large samples; with friction phi_J depends
+  // on the protocol by up to 0.01 (docs/results/verification.md).
   const Study thick = study.without_thin_cells();
   return {mono(study, 0, 0.638, 0.004),
           mono(study, 0.3, 0.588, 0.01),

@@ -146,7 +146,7 @@ std::optional<std::filesystem::path> Checkpoints::newer_than(const std::filesyst
     try {
       if (checkpoint_step(other) > step) return other;
     } catch (const InputError&) {
-      // A damaged checkpoint is not newer.
+      // A damaged checkpoint does not count as newer.
     }
   }
   return {};

@@ -93,7 +93,7 @@ class Checkpoints {
   /// The step of the newer checkpoint of a folder; empty if no checkpoint has a readable step.
   static std::optional<std::int64_t> newest_step(const std::filesystem::path& folder);
 
-  /// The other checkpoint of a folder, if it is good and of a later step.
+  /// The other checkpoint of a folder, if it is undamaged and of a later step.
   static std::optional<std::filesystem::path> newer_than(const std::filesystem::path& checkpoint);
 
   /// Throws InputError naming the faults of both when none can be read.

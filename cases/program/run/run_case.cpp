@@ -62,7 +62,7 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
   }
 }
 
-/// A run from where this process begins to the files of its folder.
+/// The part of a run in this process, from its first step to the files of the folder.
 class Run {
  public:
   Run(RunOrder order, Console console);

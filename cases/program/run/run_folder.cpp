@@ -101,7 +101,7 @@ RunFolder RunFolder::open(const std::string& folder) {
 
 RunFolder::~RunFolder() {
   if (!lock_ || kept_) return;
-  std::error_code left;  // nothing more can be done about it
+  std::error_code left;  // an error here cannot be handled
   for (const auto& entry : fs::directory_iterator(path_, left))
     if (entry.path().filename() != FolderLock::file_name) fs::remove_all(entry.path(), left);
   lock_.reset();

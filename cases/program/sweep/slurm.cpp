@@ -63,7 +63,7 @@ std::string slurm_script(const SlurmArray& array, const SlurmWishes& wishes,
   const std::string output = (folder / "slurm-%A_%a.out").string();
   return fmt::format(
       R"(#!/bin/bash
-# Each task is a worker on the folder of the sweep: it runs samples that no other worker runs, and saves them in time.
+# Each task is a worker on the sweep's folder: it runs samples that no other worker runs, and saves in time.
 #SBATCH --job-name="furnas-{name}"
 #SBATCH --array=1-{tasks}
 {partition}#SBATCH --time={minutes}

@@ -51,8 +51,9 @@ std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
       large > 0 ? fmt::format("mixture.large = {:.0f} makes", large)
                 : fmt::format("lists {:.1f} times as long make", std::pow(least_thickness / thinnest, 3));
   return fmt::format(
-      "cells     of {} of {} points too thin to stand for a large packing, down to {:.1f} largest diameters "
-      "when dense; {} all {:g} thick\n",
+      "cells     at {} of {} points are too thin to stand for a large packing, down to {:.1f} largest "
+      "diameters "
+      "when dense; {} all of them {:g} thick\n",
       thin, points.size(), thinnest, remedy, least_thickness);
 }
 

@@ -16,8 +16,9 @@ struct ConservationError {
                    ///< the enthalpy over the kinetic energy at the start, root mean square
 };
 
-/// E5: ledger and momentum of a gas that is compressed until contacts slide and the moving cell shears;
-/// enthalpy K + U + p_a V + W e^2/2 of a gas without friction and damping under a bath.
+/// Errors in the panel `conservation`: ledger and momentum of a gas that is compressed until contacts slide
+/// and the moving cell shears; enthalpy K + U + p_a V + W e^2/2 of a gas without friction and damping under a
+/// bath.
 std::vector<ConservationError> conservation_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<ConservationError>& errors);

@@ -19,7 +19,7 @@ struct GrooveError {
   double wedge{};  ///< largest angle of a wedge that is held, minus atan mu [degrees]
 };
 
-/// E3: grooves with friction 0.5, wedges with friction 0.2.
+/// Errors in the panel `groove`: grooves with friction 0.5, wedges with friction 0.2.
 std::vector<GrooveError> groove_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<GrooveError>& errors);

@@ -41,7 +41,7 @@ void show_panel(const std::string& name, const PanelResult& result, const std::f
 /// A cell of a table: all significant digits; empty if the number is not known.
 std::string panel_cell(double value);
 
-/// The collision time of two small spheres with the usual damping, t_c [time].
+/// The collision time t_c of two small spheres with the default damping [time].
 double usual_collision_time();
 
 }  // namespace furnas

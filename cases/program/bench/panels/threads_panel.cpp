@@ -10,7 +10,7 @@
 namespace furnas {
 namespace {
 
-/// A packing that was pressed for a while, repeated: most of its spheres touch.
+/// A packing after a short compaction, repeated; most of its spheres have contacts.
 Packing pressed_packing(Effort effort) {
   const bool full = effort == Effort::full;
   Protocol protocol;

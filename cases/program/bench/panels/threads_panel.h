@@ -16,7 +16,7 @@ struct ThreadsRow {
   std::uint64_t hash{};  ///< of the state at the end: the same for all
 };
 
-/// E8. Throws std::runtime_error if the states differ.
+/// Rows of the panel `threads`. Throws std::runtime_error if the final states differ.
 std::vector<ThreadsRow> thread_rows(Effort effort);
 
 PanelResult panel_of(const std::vector<ThreadsRow>& rows);

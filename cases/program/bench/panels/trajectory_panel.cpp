@@ -12,7 +12,7 @@ namespace furnas {
 namespace {
 
 constexpr double far_apart = 1e-3;  // [d_s]
-constexpr double look_every = 0.8;  // [t_c]; a whole number of each step
+constexpr double look_every = 0.8;  // [t_c]; a whole multiple of each time step
 
 using Places = std::vector<Vec3<double>>;
 

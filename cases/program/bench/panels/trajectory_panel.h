@@ -19,7 +19,8 @@ struct TrajectoryError {
   double largest{};  ///< largest distance between the two positions of a particle at the end [d_s]
 };
 
-/// E6: a gas of frictional spheres without damping, in which errors grow and the motion does not die out.
+/// Errors in the panel `trajectory`: a gas of frictional spheres without damping, in which errors grow and
+/// the motion does not die out.
 std::vector<TrajectoryError> trajectory_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<TrajectoryError>& errors);

@@ -23,7 +23,7 @@ enum class Standing {
 
 const char* to_string(Standing standing);
 
-/// The standing of a difference within a margin.
+/// The standing of a difference for a margin.
 Standing standing_of(const MeanInterval& difference, double margin);
 
 /// Number of samples of each of two arms that decides, if the difference stays d and the standard deviations
