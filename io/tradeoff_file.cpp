@@ -216,7 +216,7 @@ class TradeoffReader {
       Case c = case_in(base_, file_, set);
       if (!c.start.file.empty())
         throw InputError(fmt::format(
-            "start.file = \"{}\" has no seed for several samples; allowed: [mixture]", c.start.file));
+            "start.file = \"{}\" gives the same start for every seed; allowed: [mixture]", c.start.file));
       return c;
     } catch (const InputError& error) {
       throw InputError(

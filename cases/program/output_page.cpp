@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::string_view introduction = R"(# What the files hold
 
-Every field of `result.json`, every column of the tables, every array of the files of a packing. Lengths are in d_s (diameter of a small
+This page lists every field of `result.json`, every column of the tables and every array of the files of a packing. Lengths are in d_s (diameter of a small
 sphere), masses in rho d_s^3, forces in k_n d_s, so time is in (rho d_s^3/k_n)^(1/2), stress in k_n/d_s and energy in k_n d_s^2; an empty unit is
-a pure number or a word. "Of what" says what a number is counted over: *total* of the whole packing or sample, *per particle*, a *share*.
-A half width is half of a 95 % interval (Student's t): the mean lies within +- that. An empty cell, or null, is not known.
+a pure number or a word. "Of what" names what a number is counted over: *total* of the whole packing or sample, *per particle*, a *share*.
+A half width is half of a 95 % interval (Student's t): the mean lies within +- that. An empty cell, or null, is a value that is not known.
 
 This page is written by `furnas schema --outputs`, from the tables that write the files.
 )";

@@ -25,9 +25,10 @@ std::string default_text(const Key& key) {
 }
 
 constexpr std::string_view sweep_doc =
-    R"([sweep] makes many cases of one, for `furnas sweep`: every combination of the values of its keys, each with
-several seeds. A key is any key of the tables above in quotes, with one value or a list; `samples` (an integer,
-default 1) says how many seeds, from mixture.seed on. Several grids are several [[sweep]].
+    R"([sweep] turns one case into many, for `furnas sweep`: every combination of the values of its keys, each
+with several seeds. A key is any key of the tables above, in quotes, with one value or a list of values;
+`samples` (an integer, default 1) is the number of seeds, from mixture.seed on. Each [[sweep]] is a grid of
+values of its own.
 
     [sweep]
     "mixture.small_fraction" = [0.1, 0.2, 0.3]
@@ -50,7 +51,7 @@ void print_text(std::ostream& out) {
 constexpr std::string_view introduction = R"(# The case file
 
 A case is a TOML file. Every key has a default, so an empty file is a case; every key is checked for its type
-and its range, and one that is not listed here is an error. Lengths are in d_s (diameter of a small sphere),
+and its range, and a key that is not listed here is an error. Lengths are in d_s (diameter of a small sphere),
 masses in rho d_s^3, forces in k_n d_s; t_c is the collision time of two small spheres. A key is set from the
 command line with `--set table.key=value`.
 

@@ -85,10 +85,10 @@ std::string report(const Study& study, const std::vector<Figure>& figures) {
   std::string text = R"(# The study beside the paper
 
 Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
-Written by `furnas figures`. Means are those of jammed samples, and of settled ones where a table counts some: phi with a bound on what may still
-come, by which intervals are wider. Intervals are Student's t, 95 %. n: samples.
-*Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
-A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and decide no statement.
+Written by `furnas figures`. Means are over jammed samples and, where a table counts some, settled samples. phi of a settled sample has a bound on its
+further change, which widens the interval. Intervals are 95 % intervals of Student's t; n is the number of samples.
+*Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
+A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and are not used for any statement.
 
 )";
   for (const std::string& remark : study.remarks) text += remark + ".\n\n";

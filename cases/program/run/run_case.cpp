@@ -86,7 +86,7 @@ class Run {
   std::string case_text_;
   Requests requests_;
   SignalGuard guard_{requests_};
-  const std::int64_t first_step_;  ///< where this process begins
+  const std::int64_t first_step_;  ///< first step of this process
   std::unique_ptr<ProtocolRun> run_;
   Checkpoints checkpoints_;
   std::optional<Verdict> ended_;
