@@ -38,7 +38,8 @@ void announce(std::size_t particles, Console console) {
               << std::flush;
 }
 
-/// The limits that the case set; that of the force balance is at least the loose one.
+/// The limits of the case; the limit of the force balance is at least `loose_imbalance`
+/// (engine/events/at_rest.h).
 CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   const Case& c = *source.of_case;
   CertificateTerms terms;

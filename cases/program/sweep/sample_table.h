@@ -11,7 +11,7 @@
 
 namespace furnas {
 
-/// The name of the file in the folder of a sweep.
+/// The name of the table of samples in the folder of a sweep.
 inline constexpr const char* sample_table_name = "sweep.csv";
 
 /// The result of a sample.
