@@ -17,7 +17,7 @@ double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-/// A count of one species; null where there are none to tell apart.
+/// A count of one species; null where large and small spheres are not distinguished.
 Json of_species(const Analysis& a, std::int64_t count) {
   return a.has_species() ? Json(count) : Json(nullptr);
 }
@@ -243,7 +243,8 @@ std::optional<double> read_phi_J(const std::filesystem::path& folder) {
   if (!stream) return {};
   const auto json = Json::parse(stream, nullptr, false);
   if (!json.is_object() || !json.contains("phi_J") || !(json["phi_J"].is_number() || json["phi_J"].is_null()))
-    throw InputError(path.string() + ": phi_J is missing, or neither a number nor null; this is no result.json of furnas");
+    throw InputError(path.string() +
+                     ": phi_J is missing, or neither a number nor null; this is no result.json of furnas");
   if (json["phi_J"].is_null()) return {};
   return json["phi_J"].get<double>();
 }

@@ -10,29 +10,29 @@
 
 namespace furnas {
 
-/// An analysis and what it is of.
+/// An analysis and the packing that it describes.
 struct AnalysisRecord {
   Analysis analysis;
   std::string source;            ///< the folder or file of the packing
   std::int64_t step{};           ///< of the packing
-  bool contacts_are_overlaps{};  ///< the source had no contacts; its overlaps took their place
+  bool contacts_are_overlaps{};  ///< the source had no contacts, so overlaps count as contacts
   std::optional<double> phi_J;   ///< only of a packing that was found jammed
 };
 
-/// A file that an analysis leaves.
+/// A file that an analysis writes.
 struct AnalysisFile {
   const char* name;
   /// Its content; empty: there is nothing to write.
   std::string (*content)(const AnalysisRecord& record);
 };
 
-/// All of them: analysis.json and a table for each distribution.
+/// All such files: analysis.json and a table for each distribution.
 std::span<const AnalysisFile> analysis_files();
 
-/// "large-large" and so on, or "all".
+/// The name of a kind, "large-large" and so on; "all" without a kind.
 std::string_view name_of(const std::optional<PairKind>& kind);
 
-/// The phi_J that result.json in the folder of a run tells; nothing if there is none or it is null. Throws
+/// The phi_J in the result.json of a run's folder; empty if there is no such file or phi_J is null. Throws
 /// InputError when the file is damaged.
 std::optional<double> read_phi_J(const std::filesystem::path& folder);
 

@@ -22,7 +22,7 @@ FileMark parse_mark(const std::string& text) {
   int length = 0;
   const int found = std::sscanf(text.c_str(), "%lu bytes %16lx%n", &mark.bytes, &mark.hash, &length);
   if (found != 2 || static_cast<std::size_t>(length) != text.size())
-    throw InputError("\"" + text + "\" does not say how long a file was");
+    throw InputError("\"" + text + "\" is not the length and hash of a file");
   return mark;
 }
 
@@ -34,7 +34,8 @@ AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {
 AppendFile::AppendFile(std::filesystem::path path, const FileMark& mark) : path_(std::move(path)) {
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
   if (descriptor_ < 0 && errno == ENOENT)
-    throw InputError(path_.string() + ": the file is missing, and the run cannot go on without it; restore it");
+    throw InputError(path_.string() +
+                     ": the file is missing, and the run cannot continue without it; restore it");
   if (descriptor_ < 0) fail("cannot open the file");
   try {
     take_up(mark);
@@ -69,7 +70,8 @@ void AppendFile::append(std::string_view bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error = errno;
-      // Half a row would stay; if it cannot be cut now, whoever goes on with the run cuts it.
+      // A failed write may leave half a row, which is cut off here. If that fails too, resuming the run cuts
+      // it off.
       [[maybe_unused]] const int cut = ::ftruncate(descriptor_, static_cast<off_t>(bytes_));
       errno = error;
       fail("cannot write the file");
@@ -81,7 +83,7 @@ void AppendFile::append(std::string_view bytes) {
 }
 
 FileMark AppendFile::mark() {
-  if (::fsync(descriptor_) != 0) fail("cannot bring the file to the disk");
+  if (::fsync(descriptor_) != 0) fail("cannot write the file through to the disk");
   return {bytes_, hasher_.value()};
 }
 

@@ -9,33 +9,34 @@
 
 namespace furnas {
 
-/// How far a file that grows has come.
+/// Length and hash of a growing file at one moment.
 struct FileMark {
   std::uint64_t bytes{};  ///< its length
   std::uint64_t hash{};   ///< XXH3 of those bytes
   friend bool operator==(const FileMark&, const FileMark&) = default;
 };
 
-/// The mark as text, "1234 bytes 00112233aabbccdd", and back; throws InputError.
+/// Converts a mark to text, "1234 bytes 00112233aabbccdd", and back; the latter throws InputError.
 std::string to_text(const FileMark& mark);
 FileMark parse_mark(const std::string& text);
 
-/// A file that only grows, and that can be cut back to where it was when a run was saved.
+/// A file that only grows, and that can be cut back to its length at a checkpoint.
 class AppendFile {
  public:
-  /// Begins the file anew; throws OutputError.
+  /// Creates the file, or empties an existing one; throws OutputError.
   explicit AppendFile(std::filesystem::path path);
-  /// Goes on with the file at a mark: what follows the mark is cut off. Throws InputError unless what
-  /// precedes it is what was marked.
+  /// Continues the file at a mark and cuts off what follows. Throws InputError unless the bytes before the
+  /// mark are the marked ones.
   AppendFile(std::filesystem::path path, const FileMark& mark);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// Appends bytes and hands them to the system; throws OutputError, and the file ends where it did before.
+  /// Appends bytes and hands them to the operating system. If this fails, throws OutputError and restores the
+  /// old length of the file.
   void append(std::string_view bytes);
 
-  /// Brings the file to the disk and says how far it has come; throws OutputError.
+  /// Writes the file through to the disk and returns its mark; throws OutputError.
   FileMark mark();
 
  private:

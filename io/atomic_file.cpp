@@ -18,7 +18,7 @@ constexpr std::size_t buffer_size = std::size_t{1} << 20;
 bool sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  // Some file systems cannot sync a folder and say EINVAL; there is nothing more to be done on them.
+  // Some file systems cannot sync a folder and return EINVAL; this is not an error.
   const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;
   const int error = errno;
   ::close(descriptor);
@@ -77,10 +77,10 @@ void AtomicFile::write_at(std::uint64_t at, std::string_view bytes) {
 void AtomicFile::commit() {
   require(descriptor_ >= 0, "a file is committed once");
   flush();
-  if (::fsync(descriptor_) != 0) fail("cannot bring the file to the disk");
+  if (::fsync(descriptor_) != 0) fail("cannot write the file through to the disk");
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot put the file in its place");
   if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot close the file");
-  if (!sync_folder(path_.parent_path())) fail("cannot bring the folder to the disk");
+  if (!sync_folder(path_.parent_path())) fail("cannot write the folder through to the disk");
 }
 
 void AtomicFile::fail(const char* what) const {

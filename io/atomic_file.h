@@ -15,8 +15,8 @@ struct OutputError : std::runtime_error {
 
 /// A file that appears under its name complete or not at all.
 ///
-/// The file is written as `<name>.tmp` beside its place. commit() brings it to the disk and renames it; a
-/// file that is not committed leaves an older one of that name untouched and vanishes.
+/// The bytes go to `<name>.tmp` in the same folder. commit() writes them through to the disk and renames the
+/// file. Without commit() the temporary file is removed, and an older file of that name stays untouched.
 class AtomicFile {
  public:
   /// Creates `<path>.tmp`; throws OutputError.
@@ -31,8 +31,8 @@ class AtomicFile {
   /// Bytes written so far.
   std::uint64_t size() const { return flushed_ + buffer_.size(); }
 
-  /// Puts other bytes in the place of some that were written, `at` bytes after the beginning: numbers that
-  /// are known only when what follows them is. Throws OutputError.
+  /// Overwrites earlier bytes, from byte `at` on: a header may hold numbers that are known only when the rest
+  /// of the file is written. Throws OutputError.
   void overwrite(std::uint64_t at, std::string_view bytes);
 
   /// Makes the file durable under its name; throws OutputError. Nothing may be written afterwards.
@@ -45,8 +45,8 @@ class AtomicFile {
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
-  std::string buffer_;         ///< bytes that follow those the system has
-  std::uint64_t flushed_ = 0;  ///< bytes that the system has
+  std::string buffer_;         ///< bytes not yet handed to the system
+  std::uint64_t flushed_ = 0;  ///< bytes handed to the system
   int descriptor_ = -1;
 };
 

@@ -45,14 +45,16 @@ bool holds_allowed_value(const Key& key, const Case& c) {
   return std::visit(holds_field, key.field(copy));
 }
 
-/// A cell that its own smallest spheres hardly fit into once it is dense: what would be left is a lattice of
-/// one or two spheres and their images, which is no packing, and which often gains energy instead of rest.
+/// Refuses a cell that is less than two smallest diameters wide when dense. Such a cell would be a lattice of
+/// one or two spheres and their images; this is not a packing, and it often gains energy instead of coming to
+/// rest.
 std::optional<Conflict> conflict_of_small_cell(const Case& c) {
   if (c.compaction.cell == "fixed") return {};
-  constexpr double least_width = 2;  // of the smallest spheres
+  constexpr double least_width = 2;  // in smallest diameters
   const Mixture mixture = mixture_of(c);
   const double largest = large_diameter(mixture);
-  const double volume = sphere_volume(largest / 2) / (1 - mixture.small_fraction);  // of a large one's share
+  const double volume = sphere_volume(largest / 2) /
+                        (1 - mixture.small_fraction);  // of a large sphere and its share of small ones
   const double width = dense_width(static_cast<double>(mixture.large) * volume);
   if (width >= least_width) return {};
   const double least = std::ceil(std::pow(least_width / dense_width(volume), 3));
@@ -61,8 +63,7 @@ std::optional<Conflict> conflict_of_small_cell(const Case& c) {
       "mixture.large",
       fmt::format(
           "mixture.large = {} makes a cell {:.1f} diameters of the smallest spheres wide when dense, too "
-          "small to jam; allowed: at least {:.0f}, and from {:.0f} on the cell is 3 largest diameters "
-          "thick",
+          "small to jam; allowed: at least {:.0f}, and from {:.0f} on the cell is 3 largest diameters thick",
           c.mixture.large, width, least, thick)};
 }
 
@@ -108,8 +109,7 @@ std::optional<Conflict> conflict_of_phi_error(const Case& c) {
                                                   c.stop.phi_error, other, why)};
   };
   if (c.stop.criterion == "paper")
-    return with("stop.criterion = \"paper\"",
-                "that criterion looks at the kinetic energy alone; leave one out");
+    return with("stop.criterion = \"paper\"", "that criterion uses the kinetic energy alone; leave one out");
   if (c.compaction.cell == "fixed") return with("compaction.cell = \"fixed\"", "there phi does not change");
   if (c.compaction.pressure.size() > 1)
     return with("several values of compaction.pressure",
@@ -125,8 +125,8 @@ std::optional<Conflict> conflict_of_time_step(const Case& c) {
   const bool absolute = c.compaction.time_step_absolute.has_value();
   return Conflict{
       absolute ? "compaction.time_step_absolute" : "compaction.time_step",
-      fmt::format("compaction.time_step{} = {} makes a pair of the smallest spheres unstable; "
-                  "allowed: below {:.4g} {}",
+      fmt::format("compaction.time_step{} = {} makes a pair of the smallest spheres unstable; allowed: below "
+                  "{:.4g} {}",
                   absolute ? "_absolute" : "", absolute ? dt : *c.compaction.time_step,
                   absolute ? limit : limit / time_unit_of(protocol), absolute ? "[time]" : "t_c")};
 }

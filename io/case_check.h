@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// Why keys that are allowed one by one do not go together.
+/// Why keys with values that are allowed one by one exclude each other.
 struct Conflict {
   std::string key;      ///< "table.name" of the key to change first
   std::string message;  ///< names the keys, their values and what is allowed

@@ -67,13 +67,14 @@ bool is_table_name(std::string_view name) {
   return false;
 }
 
-/// Two keys that say the same may not both be given.
+/// Refuses two keys that set the same quantity in different units.
 void refuse_rivals(const KeyPlaces& places) {
   for (const Key& key : case_keys()) {
     const std::string rival = fmt::format("{}.{}", key.table, key.rival);
     if (!key.rival.empty() && places.contains(key.path()) && places.contains(rival))
-      throw InputError(fmt::format("{}: {} and {} say the same in different units; allowed: one of them",
-                                   places.at(key.path()), key.path(), rival));
+      throw InputError(
+          fmt::format("{}: {} and {} set the same quantity in different units; allowed: one of them",
+                      places.at(key.path()), key.path(), rival));
   }
 }
 
@@ -117,9 +118,9 @@ void read_keys(const toml::table& root, const std::string& name, Case& c, KeyPla
                     places.at("start.file"), c.start.file));
 }
 
-/// toml++ reads numbers from streams, which keep a failed request for memory to themselves and call the
-/// number wrong. So a text that seems wrong is read once more. toml++ is not given the name of the file,
-/// which it would copy where it may not throw.
+/// toml++ reads numbers from streams. A stream that gets no memory does not report this but calls the number
+/// wrong; therefore a text that seems wrong is parsed a second time. toml++ does not get the name of the
+/// file, because it would copy the name in a function that must not throw.
 toml::table parse_toml(std::string_view text) {
   try {
     return toml::parse(text);
@@ -178,13 +179,14 @@ toml::table parse_value(const Key& key, const std::string& text) {
       toml::table table = parse_toml("value = " + text);
       if (table.size() == 1) return table;
     } catch (const toml::parse_error&) {
-      // Not TOML: a bare word, or a mistake that is reported with what is allowed.
+      // Not TOML: either a bare word, or a mistake that is reported later with the allowed values.
     }
   }
   return toml::table{{"value", text}};
 }
 
-/// Puts the rival of a key back to its default, so that the key given last counts.
+/// Resets the rival of a key (the same quantity in another unit) to its default, so that the key given last
+/// counts.
 void give_up_rival(const Key& key, Case& c) {
   if (key.rival.empty()) return;
   const Key& rival = *find_key(key.table, key.rival);
@@ -193,8 +195,8 @@ void give_up_rival(const Key& key, Case& c) {
   std::visit(reset, rival.field(c));
 }
 
-/// False for the one of two rivals that is not used: the absolute one, which has no value of its own, counts
-/// if it is given.
+/// False for the unused one of two rivals, which set the same quantity in different units. The rival without
+/// a default is used if it is given.
 bool counts(const Key& key, const Case& c) {
   if (value_text(key, c).empty()) return false;
   const bool absolute = value_text(key, Case{}).empty();
@@ -231,7 +233,7 @@ Case case_in(const toml::table& root, const std::filesystem::path& file,
     if (!value->empty()) *value = (file.parent_path() / *value).string();
   apply_overrides(c, overrides, places);
   refuse_conflicts(c, name, places);
-  for (const auto& [key, value] : files)  // one of an override lies where we are
+  for (const auto& [key, value] : files)  // a path in an override is relative to the current directory
     if (!value->empty()) *value = file_path({}, key, *value, places.at(key));
   return c;
 }
@@ -270,7 +272,7 @@ void apply_override(Case& c, std::string_view assignment) {
 
 namespace {
 
-/// A list of diameters stands for the sizes and numbers of a mixture.
+/// Whether the case has a list of diameters that replaces this key.
 bool is_replaced_by_a_list(const Key& key, const Case& c) {
   return !c.mixture.diameters.empty() && key.table == "mixture" &&
          (key.name == "size_ratio" || key.name == "small_fraction" || key.name == "large");

@@ -7,7 +7,7 @@ namespace furnas {
 std::span<const Preset> presets() {
   static const std::vector<Preset> all{
       {"paper",
-       "the protocol of arXiv 2105.00977: its contact law, its time step, its end",
+       "the protocol of arXiv 2105.00977: its contact law, its time step, its criterion of rest",
        {"contact.law=hooke_history", "contact.velocity=peculiar", "compaction.time_step=0.02",
         "stop.criterion=paper"}},
       {"reference",
@@ -15,8 +15,7 @@ std::span<const Preset> presets() {
        {"compaction.time_step=0.02", "compute.precision=double"}},
       {"fast",
        "the fewest steps: large spheres are light and motion is stopped early, so that frictional mixtures "
-       "end "
-       "looser",
+       "are less dense",
        {"compaction.mass_exponent=2", "stop.stilling=1000", "stop.window=100"}},
   };
   return all;

@@ -9,11 +9,12 @@ namespace furnas {
 /// A name for the values of several keys, which a case may still set one by one.
 struct Preset {
   std::string_view name;
-  std::string_view does;                      ///< one line
-  std::vector<std::string_view> assignments;  ///< "table.key=value", of what differs from the defaults
+  std::string_view does;  ///< one line
+  std::vector<std::string_view>
+      assignments;  ///< "table.key=value", for the keys that differ from the defaults
 };
 
-/// All presets, beside "none", in the order in which they are listed.
+/// All presets but "none", in the order in which they are listed.
 std::span<const Preset> presets();
 
 /// The assignments of a preset; none for "none".

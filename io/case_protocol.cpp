@@ -70,7 +70,7 @@ Protocol protocol_of(const Case& c) {
 
 namespace {
 
-/// Spheres as they are listed.
+/// The random start of a list of diameters.
 Packing listed_start(const Case::Mixture& mixture) {
   std::vector<double> radii = read_diameters(mixture.diameters).diameters;
   double volume = 0;
@@ -91,9 +91,9 @@ Packing start_of(const Case& c) {
   Packing packing = !c.start.file.empty()          ? read_packing(c.start.file)
                     : !c.mixture.diameters.empty() ? listed_start(c.mixture)
                                                    : dilute_start(mixture_of(c));
-  packing.step = 0;  // the clock of a run begins with it
+  packing.step = 0;  // steps and time are counted from the start of the run
   packing.time = 0;
-  packing.labels.origin = {};  // a run counts from the corner of its cell
+  packing.labels.origin = {};  // positions in a run are relative to the corner of the cell
   packing.labels.turned = false;
   constexpr double of_solid_spheres = 3;
   if (c.compaction.mass_exponent != of_solid_spheres) set_masses(packing, c.compaction.mass_exponent);

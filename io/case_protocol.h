@@ -15,7 +15,7 @@ Protocol protocol_of(const Case& c);
 /// The packing that a case starts from: read from its file, or a random gas. Throws InputError.
 Packing start_of(const Case& c);
 
-/// z_min of a case: live contacts below which a particle is no part of the backbone.
+/// z_min of a case: a particle with fewer live contacts does not belong to the backbone.
 int backbone_threshold_of(const Case& c);
 
 /// What a case simulates when it compresses `start`.

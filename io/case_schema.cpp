@@ -14,37 +14,36 @@ Range from_to(double least, double most) { return {.least = least, .most = most}
 Range above_to(double least, double most) { return {.least = least, .most = most, .above_least = true}; }
 Range from_below(double least, double most) { return {.least = least, .most = most, .below_most = true}; }
 
-/// A key without a word for emptiness and without a rival, as most are.
+/// A key that cannot be empty and has no rival key; most keys are such.
 Key plain(std::string_view table, std::string_view name, std::string_view unit,
           std::variant<std::monostate, Range, Choices> allowed, std::string_view doc, Field (*field)(Case&)) {
   return {table, name, unit, std::move(allowed), {}, {}, doc, field};
 }
 
-/// A key of which "auto" leaves the choice to the program.
+/// A key whose value "auto" leaves the choice to the program.
 Key automatic(std::string_view table, std::string_view name, std::string_view unit, Range allowed,
               std::string_view doc, Field (*field)(Case&)) {
   return {table, name, unit, allowed, "auto", {}, doc, field};
 }
 
-/// A key that says the same as `rival` in another unit; a case gives one of the two.
+/// A key that sets the same quantity as `rival` in another unit; a case gives one of the two.
 Key either(std::string_view table, std::string_view name, std::string_view rival, std::string_view unit,
            Range allowed, std::string_view doc, Field (*field)(Case&)) {
   return {table, name, unit, allowed, {}, rival, doc, field};
 }
 
 std::vector<Key> whole_case() {
-  return {
-      plain("", "preset", "", Choices{"none", "paper", "reference", "fast"},
-            "values of the keys that are left out: the defaults, the paper's protocol, the most careful, the "
-            "fewest steps",
-            [](Case& c) -> Field { return &c.preset; })};
+  return {plain("", "preset", "", Choices{"none", "paper", "reference", "fast"},
+                "values of the keys that are left out; none: the defaults; paper: the paper's protocol; "
+                "reference: the most careful settings; fast: the fewest steps",
+                [](Case& c) -> Field { return &c.preset; })};
 }
 
 std::vector<Key> mixture_and_start() {
   return {
       plain("mixture", "size_ratio", "", from_to(1, 100),
-            "diameter of the large spheres over that of the small ones, alpha; the smallest that exist have "
-            "d_s = 1",
+            "alpha, diameter of the large spheres over that of the small ones; the smallest spheres in the "
+            "packing have the diameter d_s = 1",
             [](Case& c) -> Field { return &c.mixture.size_ratio; }),
       plain("mixture", "small_fraction", "", from_below(0, 1),
             "share of the small spheres in the volume of all spheres, f_s; 0: all spheres are large",
@@ -53,15 +52,14 @@ std::vector<Key> mixture_and_start() {
             "number of large spheres N_l; the small ones follow, N_s = N_l alpha^3 f_s/(1 - f_s)",
             [](Case& c) -> Field { return &c.mixture.large; }),
       plain("mixture", "diameters", "", std::monostate{},
-            "file with a list of diameters, one a line, in any unit, instead of the three keys above: "
-            "spheres of "
-            "any sizes, of which the smallest becomes d_s",
+            "file with a list of diameters, one a line, in any unit, instead of the three keys above; the "
+            "sizes may be any, and the smallest diameter becomes d_s",
             [](Case& c) -> Field { return &c.mixture.diameters; }),
       plain("mixture", "start_fraction", "", above_to(0, 0.3),
             "packing fraction of the random start; beyond 0.3 random insertion finds no more room",
             [](Case& c) -> Field { return &c.mixture.start_fraction; }),
       plain("mixture", "seed", "", from_to(0, 1e15),
-            "chooses the random start; the same seed gives the same bits",
+            "number that selects the random start; the same seed gives the same start, bit by bit",
             [](Case& c) -> Field { return &c.mixture.seed; }),
       plain("start", "file", "", std::monostate{},
             "start from this packing instead of [mixture]: a checkpoint, VTP, extended XYZ, LAMMPS data or "
@@ -78,7 +76,7 @@ std::vector<Key> contact() {
           "scheme of the paper and of LAMMPS, in which small spheres that roll between large ones can stick",
           [](Case& c) -> Field { return &c.contact.law; }),
       plain("contact", "friction", "", from_to(0, 1e30),
-            "Coulomb's coefficient mu; 0 leaves out spin and tangential forces, 1e30 never slides",
+            "Coulomb's coefficient mu; 0: no spin and no tangential forces; 1e30: contacts never slide",
             [](Case& c) -> Field { return &c.contact.friction; }),
       plain("contact", "tangential_stiffness", "k_n", from_to(0, 10),
             "k_t/k_n; above 10 the tangential spring, not the normal one, would set the time step",
@@ -98,7 +96,7 @@ std::vector<Key> contact() {
             "paper; false: the slider is in series with spring and dashpot",
             [](Case& c) -> Field { return &c.contact.winding; }),
       plain("contact", "velocity", "", Choices{"peculiar", "total"},
-            "relative velocity that a contact sees: with the affine flow of the cell (total) or without it "
+            "relative velocity in the contact law: with the affine flow of the cell (total) or without it "
             "(peculiar)",
             [](Case& c) -> Field { return &c.contact.velocity; }),
   };
@@ -118,25 +116,26 @@ std::vector<Key> compaction() {
              "inertia of the cell, beta; a light cell oscillates, a heavy cell rebounds",
              [](Case& c) -> Field { return &c.compaction.inertia; }),
       either("compaction", "inertia_absolute", "inertia", "rho d_s^5", above_to(0, 1e30),
-             "inertia of the cell W itself, instead of inertia",
+             "inertia W of the cell itself; replaces the key inertia",
              [](Case& c) -> Field { return &c.compaction.inertia_absolute; }),
       either("compaction", "cell_damping", "drag", "", from_to(0, 1000),
              "drag on the strain rate of the cell over (p_a V/W)^(1/2), V being the volume of the dense "
-             "cell; 2 is critical, from 4 on p does not overshoot p_a",
+             "cell; 2 is critical, from 4 on the pressure does not overshoot p_a",
              [](Case& c) -> Field { return &c.compaction.cell_damping; }),
       either("compaction", "drag", "cell_damping", "1/time", from_to(0, 1000),
-             "drag of the cell itself, instead of cell_damping: its strain rate decays as exp(-drag t)",
+             "drag of the cell itself, instead of cell_damping: the strain rate of the cell decays as "
+             "exp(-drag t)",
              [](Case& c) -> Field { return &c.compaction.drag; }),
       {"compaction", "time_step", "t_c", above_to(0, 0.2), "auto", "time_step_absolute",
        "time step; auto: chosen by the program, 0.063 with friction and the default constants, 0.1 without "
        "friction",
        [](Case& c) -> Field { return &c.compaction.time_step; }},
       either("compaction", "time_step_absolute", "time_step", "time", above_to(0, 1000),
-             "time step itself, instead of time_step",
+             "time step in absolute units; replaces the key time_step",
              [](Case& c) -> Field { return &c.compaction.time_step_absolute; }),
       plain("compaction", "mass_exponent", "", from_to(0, 3),
             "the mass of a sphere grows with this power of its diameter; 3: solid spheres; below 3 large "
-            "spheres are light, runs are shorter, and packings with friction end looser",
+            "spheres are light, runs are shorter, and packings with friction are less dense",
             [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
   };
 }
@@ -162,18 +161,18 @@ std::vector<Key> stop() {
             [](Case& c) -> Field { return &c.stop.window; }),
       plain("stop", "stilling", "", from_to(0, 1e9),
             "all motion is set to zero near the end, once force_imbalance and strain_drift are within this "
-            "factor of their limits; a larger factor saves steps and loosens mixtures; 0: never",
+            "factor of their limits; a larger factor saves steps and makes mixtures less dense; 0: never",
             [](Case& c) -> Field { return &c.stop.stilling; }),
       plain("stop", "stilling_energy", "", from_to(0, 1e30),
-            "and once the kinetic energy of the backbone is within this factor of its limit, unless the "
-            "forces balance",
+            "further condition for setting all motion to zero: the kinetic energy of the backbone is within "
+            "this factor of its limit, or the forces balance",
             [](Case& c) -> Field { return &c.stop.stilling_energy; }),
       plain("stop", "growth", "", from_to(1, 1e30),
-            "but not while the kinetic energy of the backbone grows by more than this factor in half a "
-            "window, because an unstable packing must go on moving",
+            "motion is not set to zero while the kinetic energy of the backbone grows by more than this "
+            "factor in half a window, because an unstable packing must be left to move",
             [](Case& c) -> Field { return &c.stop.growth; }),
       plain("stop", "phi_error", "", from_to(0, 1),
-            "a run that does not come to rest ends as settled once the change that phi may still make is "
+            "a run that does not come to rest ends as settled once the possible further change of phi is "
             "bounded below this number; 0: never",
             [](Case& c) -> Field { return &c.stop.phi_error; }),
       plain("stop", "minimizer", "", std::monostate{},
@@ -181,7 +180,7 @@ std::vector<Key> stop() {
             "by time steps alone",
             [](Case& c) -> Field { return &c.stop.minimizer; }),
       plain("stop", "steps", "steps", from_to(0, many_steps),
-            "largest number of steps; a run that ends by it is not called jammed",
+            "largest number of steps; a run that ends by this limit is not called jammed",
             [](Case& c) -> Field { return &c.stop.steps; }),
   };
 }
@@ -192,7 +191,7 @@ std::vector<Key> compute() {
             "mixed: forces and velocities have single precision, positions, overlaps and sums double",
             [](Case& c) -> Field { return &c.compute.precision; }),
       automatic("compute", "threads", "", from_to(1, 1024),
-                "threads; the result has the same bits for any number of them",
+                "number of threads; the result has the same bits for any number",
                 [](Case& c) -> Field { return &c.compute.threads; }),
       automatic("compute", "skin", "d_s", from_to(0, 10),
                 "margin of the neighbour list; changes the speed, not the result",
@@ -205,14 +204,13 @@ std::vector<Key> output() {
       plain("output", "history_every", "steps", from_to(1, many_steps),
             "interval between two rows of history.csv",
             [](Case& c) -> Field { return &c.output.history_every; }),
-      plain(
-          "output", "snapshot_every", "steps", from_to(0, many_steps),
-          "interval between two frames of frames.pvd, and so equal steps of time; the start is the first; 0: "
-          "none",
-          [](Case& c) -> Field { return &c.output.snapshot_every; }),
+      plain("output", "snapshot_every", "steps", from_to(0, many_steps),
+            "interval between two frames of frames.pvd, which are then equally spaced in time; the first "
+            "frame is the start; 0: none",
+            [](Case& c) -> Field { return &c.output.snapshot_every; }),
       plain("output", "snapshot_phi", "", from_to(0, 1),
-            "a frame when phi first exceeds each multiple of this, as 0.01, so that a film shows the "
-            "compaction evenly; 0: none",
+            "a frame is written when phi first exceeds each multiple of this number, for example 0.01; a "
+            "film then shows the compaction in equal steps of phi; 0: none",
             [](Case& c) -> Field { return &c.output.snapshot_phi; }),
       plain("output", "checkpoint_minutes", "minutes", above_to(0, 1e5),
             "wall time between two checkpoints; a stopped run resumes from the last one",

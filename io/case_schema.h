@@ -38,8 +38,8 @@ struct Key {
   std::string_view name;
   std::string_view unit;                                 ///< empty: a pure number or a word
   std::variant<std::monostate, Range, Choices> allowed;  ///< nothing: any value of its type
-  std::string_view when_empty;  ///< the word for an empty optional field, or nothing: leave the key out
-  std::string_view rival;       ///< the key of the same table that says the same in another unit
+  std::string_view when_empty;  ///< the word for an empty optional field; empty: the key is left out
+  std::string_view rival;       ///< the key of the same table that sets the same quantity in another unit
   std::string_view doc;         ///< one line
   Field (*field)(Case&);
 
@@ -53,7 +53,8 @@ std::span<const Key> case_keys();
 /// The tables of a case file in the order of `case_keys`.
 std::vector<std::string_view> case_tables();
 
-/// Whether a run gives the same packing, step by step, whatever the key's value: it may go on with another.
+/// Whether every value of the key gives the same packing, step by step; a stopped run may then continue with
+/// another value.
 bool changes_no_bit(const Key& key);
 
 /// The key with this table and name, or with this path, like "contact.friction" or "preset"; or nullptr.

@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
 
-/// A line of the file, counted from 1, and the table that it stands in.
+/// A line of the file, counted from 1, and the table that it belongs to.
 struct Line {
   std::string_view text;
   std::string_view table;

@@ -5,7 +5,7 @@
 
 namespace furnas {
 
-/// "table.key=value" in two, blanks around both taken off; the value is empty without "=".
+/// The two sides of "table.key=value" without the blanks around them; the value is empty without "=".
 struct Assignment {
   std::string path;
   std::string value;
@@ -14,8 +14,8 @@ struct Assignment {
 /// Splits at the first "=".
 Assignment split_assignment(std::string_view text);
 
-/// One line on a place where a case file is no TOML: the key and its value as they were written, and what
-/// the key may hold if it is known. `complaint` is the parser's own.
+/// A one-line message about the place where a case file is not valid TOML: the key and its value as written
+/// and, for a known key, the allowed values. `complaint` is the parser's message.
 std::string explain_syntax(std::string_view text, const std::string& name, std::size_t line,
                            std::string_view complaint);
 

@@ -15,7 +15,7 @@
 namespace furnas {
 namespace {
 
-/// One key, what was given for it, and where.
+/// A key, the value given for it, and the place in the file.
 struct Given {
   const Key& key;
   const toml::node& node;

@@ -49,7 +49,7 @@ std::string range_text(const Range& range, std::string_view name) {
                      range.below_most ? "<" : "<=", range.most);
 }
 
-/// Levenshtein's distance: the fewest letters put in, taken out or exchanged.
+/// Levenshtein's distance: the fewest letters inserted, removed or replaced.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -65,7 +65,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Two words are alike if less than half of the letters differ.
+/// Two words are similar if less than half of the letters differ.
 bool alike(std::size_t distance, std::string_view a, std::string_view b) {
   return 2 * distance < std::max(a.size(), b.size());
 }
@@ -77,7 +77,7 @@ std::string nearest_key(std::string_view table, std::string_view name) {
   std::size_t shortest = 0;
   for (const Key& key : case_keys()) {
     const std::size_t letters = edit_distance(name, key.name);
-    // A key of the same table wins a draw, but the right name in the wrong table is found too.
+    // Among equally near keys one of the same table wins, but the right name in the wrong table is found too.
     const std::size_t distance = 2 * letters + (key.table == table ? 0 : 1);
     if (alike(letters, name, key.name) && (nearest == nullptr || distance < shortest)) {
       nearest = &key;
@@ -130,7 +130,7 @@ std::string type_text(const Key& key) {
 }
 
 std::string value_text(const Key& key, const Case& c) {
-  // A key hands out its field for reading and writing alike; the copy keeps `c` out of reach.
+  // A key gives access to its field for reading and for writing; the copy protects `c`.
   Case copy = c;
   const auto text = [&](auto* field) -> std::string {
     using Value = std::decay_t<decltype(*field)>;

@@ -25,20 +25,19 @@ std::string failed_parts(const Certificate& c) {
   return failed;
 }
 
-/// What all parts together have proven, and what they have not.
+/// What all parts together prove, and what they do not prove.
 std::string conclusion(const Certificate& c, const CertificateTerms& terms) {
   if (!c.passed() && !terms.histories)
     return fmt::format(
         "Not certified: {} failed. The file has no tangential histories, so the tangential forces are taken "
-        "to "
-        "be zero, and forces with friction cannot balance: this says nothing about the packing. Certify the "
+        "to be zero. With friction, such forces cannot balance, so this result says nothing about the "
+        "packing. Certify the "
         "folder of its run, or a checkpoint.",
         failed_parts(c));
   if (!c.passed())
     return fmt::format(
         "Not certified: {} failed, and a jammed packing passes every part. The parts that passed prove "
-        "nothing "
-        "on their own.",
+        "nothing on their own.",
         failed_parts(c));
   const bool stable = std::any_of(c.parts.begin(), c.parts.end(),
                                   [](const Part& part) { return part.proves == Proves::sufficient; });
@@ -46,10 +45,10 @@ std::string conclusion(const Certificate& c, const CertificateTerms& terms) {
     return "Forces balance at the applied pressure within the limits below. Proven, to first order: every "
            "small "
            "motion of backbone and cell costs energy. Not proven: what large motions, long times or a larger "
-           "cell would do. Rattlers are free to move, and no part asks about them.";
-  return "Proven: the packing meets every condition that was asked and that no jammed packing can miss. Not "
-         "proven: that every small motion costs energy, because contacts slide or an eigenvalue is in doubt "
-         "(part \"stability\"); large motions, long times and larger cells were not asked.";
+           "cell would do. Rattlers are free to move, and no part examines them.";
+  return "Proven: the packing meets every tested condition that a jammed packing must meet. Not proven: that "
+         "every small motion costs energy, because contacts slide or an eigenvalue is in doubt (part "
+         "\"stability\"); large motions, long times and larger cells were not examined.";
 }
 
 Json json_of(const Finding& f) {

@@ -7,8 +7,8 @@
 
 namespace furnas {
 
-/// A certificate as a page of text: each part with its question, its numbers, and what it proves. `of` says
-/// what was certified.
+/// A certificate as a page of text: each part with its question, its numbers, and what it proves. `of` names
+/// the packing.
 std::string certificate_text(const Certificate& certificate, const CertificateTerms& terms,
                              const std::string& of);
 

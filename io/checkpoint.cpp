@@ -25,7 +25,7 @@ static_assert(sizeof(Cell) == 12 * sizeof(double) && sizeof(Fraction) == 3 * siz
 template <class T>
 using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 
-/// Writes what exchange() names.
+/// Writes the sections that exchange() lists.
 class Saver {
  public:
   explicit Saver(const std::filesystem::path& path) : writer_(path, format) {}
@@ -59,7 +59,8 @@ class Saver {
   SectionWriter writer_;
 };
 
-/// Reads what exchange() names. Lists grow as their elements arrive, never by a number in the file.
+/// Reads the sections that exchange() lists. Lists grow as their elements are read; no number in the file
+/// sets their size in advance.
 class Loader {
  public:
   explicit Loader(const std::filesystem::path& path) : reader_(path, format) {}
@@ -82,7 +83,7 @@ class Loader {
     if (values.size() != 9) reader_.fail("must have nine elements");
     std::copy(values.begin(), values.end(), value.data());
   }
-  /// The first field, the particle i, makes the contacts; the others must be as many.
+  /// The first field, the particle i, creates the contacts; each other field must have as many elements.
   template <class T>
   void contact_field(std::string_view name, std::vector<Contact>& contacts, T Contact::*field) {
     constexpr bool truth = std::is_same_v<T, bool>;
@@ -93,7 +94,7 @@ class Loader {
       }
       if (k == contacts.size()) reader_.fail("has more elements than there are contacts");
       if (truth && value != Stored<T>{} && value != Stored<T>{1})
-        reader_.fail("has a truth value beyond 0 and 1");
+        reader_.fail("has a truth value other than 0 and 1");
       contacts[k++].*field = static_cast<T>(value);
     });
     if (k != contacts.size()) reader_.fail("has fewer elements than there are contacts");
@@ -105,7 +106,7 @@ class Loader {
       std::string key, value;
       list("key of an extra", key);
       list("value of an extra", value);
-      if (!values.emplace(std::move(key), std::move(value)).second) reader_.fail("its key stands twice");
+      if (!values.emplace(std::move(key), std::move(value)).second) reader_.fail("its key occurs twice");
     }
   }
   void finish() { reader_.finish(); }
@@ -114,7 +115,7 @@ class Loader {
   SectionReader reader_;
 };
 
-/// What stands first, for who wants to know what a file is about.
+/// The first sections: they show what a file is about before the rest is read.
 template <class Archive, class AnyCheckpoint>
 void exchange_head(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.list("case", checkpoint.case_text);
@@ -162,7 +163,7 @@ void exchange(Archive& archive, AnyCheckpoint& checkpoint) {
   archive.finish();
 }
 
-// Labels stand among the extras, where they leave the sections of other checkpoints as they are.
+// Labels are stored among the extras, so that a checkpoint without labels needs no section for them.
 constexpr const char* id_key = "labels: id";
 constexpr const char* type_key = "labels: type";
 constexpr const char* names_key = "labels: names";
@@ -190,7 +191,7 @@ std::map<std::string, std::string> to_extras(const Labels& labels) {
   return extras;
 }
 
-/// Takes the labels out of the extras.
+/// Moves the labels out of the extras.
 Labels take_labels(std::map<std::string, std::string>& extras) {
   const auto take = [&](const char* key) {
     const auto node = extras.extract(key);
@@ -206,14 +207,14 @@ Labels take_labels(std::map<std::string, std::string>& extras) {
   return labels;
 }
 
-/// Every byte is as it was written; now it must also fit together.
+/// The hashes show that every byte is as written; here the sections are checked against each other.
 void check(const Packing& p, const std::filesystem::path& path) {
   const auto fail = [&](const char* section, const char* what) {
     throw InputError(path.string() + ": section '" + section + "': " + what);
   };
   const std::size_t n = p.size();
   const auto same = [&](const char* section, std::size_t count) {
-    if (count != n) fail(section, "has another number of particles than 'radius'");
+    if (count != n) fail(section, "has a different number of particles than 'radius'");
   };
   same("species", p.species.size());
   same("mass", p.mass.size());

@@ -21,7 +21,7 @@ class Columns {
 
   bool has(std::string_view name) const { return find(name) != none; }
   bool has_all(const std::vector<std::string>& names) const;
-  /// The word in the column, which must be there.
+  /// The word in the column, which must exist.
   std::string_view word(std::string_view name) const { return words_[find(name)]; }
   /// The number in the column, or `missing` if there is no such column.
   double real(std::string_view name, double missing = 0) const;
@@ -31,7 +31,7 @@ class Columns {
   std::int32_t type(std::string_view name) const;
   /// Cells crossed along an edge, or 0 if there is no such column.
   std::int32_t image(std::string_view name) const;
-  /// Three columns as a vector; each that is missing counts as zero.
+  /// Three columns as a vector; a missing column counts as zero.
   Vec3<double> vector(std::string_view x, std::string_view y, std::string_view z) const {
     return {real(x), real(y), real(z)};
   }

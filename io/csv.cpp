@@ -17,12 +17,12 @@ std::string in_quotes(const std::string& cell) {
   return text + '"';
 }
 
-/// Where the quotes that open at the front of a text close; nothing if they do not.
+/// The place of the closing quote of a text that begins with a quote; empty if it is not closed.
 std::optional<std::size_t> closing_quote(std::string_view text) {
   for (std::size_t at = 1; at < text.size(); ++at) {
     if (text[at] != '"') continue;
     if (at + 1 == text.size() || text[at + 1] != '"') return at;
-    ++at;  // two of them stand for one
+    ++at;  // two quotes mean one
   }
   return {};
 }
@@ -36,7 +36,7 @@ std::string unquoted(std::string_view inside) {
   return text;
 }
 
-/// Takes a cell and the comma behind it from the front of a row; nothing if its quotes are not closed yet.
+/// Takes a cell and the comma after it from the front of a row; empty if its quotes are not closed yet.
 std::optional<std::string> take_cell(std::string_view& row, bool& last) {
   std::size_t end = row.find(',');
   std::optional<std::string> cell;

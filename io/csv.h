@@ -6,9 +6,9 @@
 
 namespace furnas {
 
-/// Comma-separated values as in RFC 4180, but with lines that end as text of Unix does.
+/// Comma-separated values as in RFC 4180, but with Unix line ends.
 
-/// A row with the end of its line; a cell with a comma, a quote or an end of line stands in quotes.
+/// A row with its line end; a cell that contains a comma, a quote or a line end is put in quotes.
 std::string csv_row(const std::vector<std::string>& cells);
 
 /// The text with ';' for commas and blanks for ends of lines: such a cell needs no quotes, so that a program
@@ -16,7 +16,7 @@ std::string csv_row(const std::vector<std::string>& cells);
 std::string without_commas(std::string text);
 
 /// Reads the next row, with quotes taken off; false at the end of the file. A cell that begins with a quote
-/// but does not end with one is taken as it stands. Throws InputError for quotes that are never closed.
+/// but does not end with one is taken literally. Throws InputError for quotes that are never closed.
 bool read_csv_row(std::istream& file, std::vector<std::string>& cells);
 
 }  // namespace furnas

@@ -16,7 +16,8 @@ DiameterList read_diameters(const std::filesystem::path& path) {
     if (words.size() > 1) reader.fail("more than one number in a line; allowed: one diameter");
     list.diameters.push_back(reader.positive(words[0], "diameter"));
   }
-  if (list.diameters.empty()) reader.fail_at(0, "holds no diameter; allowed: text with one a line");
+  if (list.diameters.empty())
+    reader.fail_at(0, "contains no diameter; allowed: text with one diameter per line");
   list.unit = *std::min_element(list.diameters.begin(), list.diameters.end());
   for (double& d : list.diameters) d /= list.unit;
   return list;

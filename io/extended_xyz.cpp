@@ -73,7 +73,7 @@ std::vector<std::string> column_names(const TextReader& reader, const XyzAttribu
   return names;
 }
 
-/// The first of the properties that the columns have, with ".0" behind its name; empty without one.
+/// The first of these properties that the file has, with ".0" after its name; empty without one.
 std::string property(const Columns& columns, std::initializer_list<const char*> names) {
   for (const char* name : names)
     if (std::string column = fmt::format("{}.0", name); columns.has(column)) return column;
@@ -91,7 +91,7 @@ Vec3<double> vector(const Columns& columns, std::string column) {
   return v;
 }
 
-/// Which columns hold what, under the names that programs give them.
+/// Which columns contain which quantity; programs use different names.
 struct Meaning {
   std::string diameter, radius, mass, velocity, momentum, force, spin, torque, image, id, name, type;
 
@@ -210,7 +210,7 @@ void write_extended_xyz(const Packing& packing, const std::filesystem::path& pat
   print(file, "{}\nLattice=\"{} 0 0 {} {} 0 {} {} {}\" Origin=\"{}\" pbc=\"T T T\" Step={} Time={} ",
         packing.size(), h.xx, h.xy, h.yy, h.xz, h.yz, h.zz, packing.labels.origin, packing.step,
         packing.time);
-  // Names alone would come back numbered in the order of the alphabet.
+  // With names alone, a reader would number the types in alphabetical order.
   const bool numbered = !packing.labels.names.empty();
   print(file,
         "Properties=species:S:1:species_name:S:1:{}id:I:1:pos:R:3:image:I:3:radius:R:1:mass:R:1:velo:R:3:"

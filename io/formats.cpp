@@ -30,7 +30,7 @@ bool begins_vtp(std::string_view head) {
 
 Packing read_checkpointed_packing(const std::filesystem::path& path) { return read_checkpoint(path).packing; }
 
-// A new format is one line.
+// A new format needs one more line here.
 // clang-format off
 constexpr std::array<Format, 6> all{{
     {"checkpoint", ".checkpoint", {.cell = true, .time = true, .forces = true, .rate = true, .names = true},
@@ -53,7 +53,7 @@ bool is_read(const Format& f) { return f.read != nullptr || f.read_frame != null
 Packing read_as(const Format& format, const std::filesystem::path& path, std::optional<std::int64_t> frame) {
   if (format.read_frame) return format.read_frame(path, frame);
   if (frame && *frame != 1)
-    throw InputError(fmt::format("{}: there is no frame {}: a file of the format {} holds one packing",
+    throw InputError(fmt::format("{}: there is no frame {}: a file of the format {} contains one packing",
                                  path.string(), *frame, format.name));
   return format.read(path);
 }
@@ -71,7 +71,7 @@ bool has_extension(const Format& format, const std::string& extension) {
   return !extension.empty() && list.find(" " + extension + " ") != std::string::npos;
 }
 
-/// "lammps-data (.data .lmp), ..." of the formats that `has`.
+/// "lammps-data (.data .lmp), ...": the formats for which `has` is true, with their extensions.
 template <class Has>
 std::string listed(Has has) {
   std::string text;
@@ -81,7 +81,7 @@ std::string listed(Has has) {
   return text;
 }
 
-/// The names alone.
+/// The same without extensions.
 template <class Has>
 std::string names(Has has) {
   std::string text;
@@ -112,8 +112,8 @@ std::string names_of_read_formats() { return names(is_read); }
 std::string_view format_by_extension(const std::filesystem::path& path) {
   for (const Format& format : all)
     if (format.write && has_extension(format, path.extension().string())) return format.name;
-  throw InputError(fmt::format("{}: its extension tells no format to write; allowed are {}", path.string(),
-                               listed([](const Format& f) { return f.write != nullptr; })));
+  throw InputError(fmt::format("{}: its extension belongs to no format that can be written; allowed are {}",
+                               path.string(), listed([](const Format& f) { return f.write != nullptr; })));
 }
 
 Packing read_packing(const std::filesystem::path& path, std::optional<std::int64_t> frame) {
@@ -122,8 +122,9 @@ Packing read_packing(const std::filesystem::path& path, std::optional<std::int64
     if (is_read(format) && format.begins && format.begins(head)) return read_as(format, path, frame);
   for (const Format& format : all)
     if (is_read(format) && has_extension(format, extension)) return read_as(format, path, frame);
-  throw InputError(fmt::format("{}: neither its content nor its extension tells the format; allowed are {}",
-                               path.string(), listed(is_read)));
+  throw InputError(
+      fmt::format("{}: neither its content nor its extension determines the format; allowed are {}",
+                  path.string(), listed(is_read)));
 }
 
 void write_packing(const Packing& packing, std::string_view format, const std::filesystem::path& path) {

@@ -11,8 +11,8 @@
 
 namespace furnas {
 
-/// What a file of a format has a place for, besides ids, types, radii, masses, positions, velocities and
-/// spins. None but a checkpoint has one for contacts with their histories.
+/// Which quantities a format can store, besides ids, types, radii, masses, positions, velocities and spins.
+/// Only a checkpoint can store contacts with their histories.
 struct Places {
   bool cell{};    ///< and image flags, and the step
   bool time{};    ///< of the packing
@@ -21,18 +21,18 @@ struct Places {
   bool names{};   ///< of types
 };
 
-/// A kind of file that holds a packing.
+/// A format of files with a packing.
 struct Format {
   std::string_view name;        ///< as in `export DIR NAME`
   std::string_view extensions;  ///< with dots, between blanks; the first is the usual one
   Places has;
-  /// Whether the first bytes of a file tell that it is one; nothing if they never do.
+  /// Whether the first bytes show that a file has this format; null if they never do.
   bool (*begins)(std::string_view head);
-  /// Nothing if the format is only written.
+  /// Null if the format is only written.
   Packing (*read)(const std::filesystem::path& path);
-  /// The frame of this number, counted from 1, or the last; nothing if such a file holds one packing.
+  /// The frame of this number, counted from 1, or the last; null if such a file contains one packing.
   Packing (*read_frame)(const std::filesystem::path& path, std::optional<std::int64_t> frame);
-  /// Nothing if the format is only read.
+  /// Null if the format is only read.
   void (*write)(const Packing& packing, const std::filesystem::path& path);
 };
 
@@ -46,15 +46,16 @@ std::string names_of_read_formats();
 /// The format to write for the extension of a path; throws InputError for an unknown one.
 std::string_view format_by_extension(const std::filesystem::path& path);
 
-/// Reads a packing from a file of any format: its first bytes decide, then its extension. Of several frames
-/// the one of this number, counted from 1, or the last. Throws InputError.
+/// Reads a packing from a file of any format. The first bytes of the file determine the format; if they do
+/// not, its extension does. From several frames it takes the one of this number, counted from 1, or the last.
+/// Throws InputError.
 Packing read_packing(const std::filesystem::path& path, std::optional<std::int64_t> frame = {});
 
 /// Writes a packing in the format of this name; throws InputError for an unknown name, OutputError otherwise.
 void write_packing(const Packing& packing, std::string_view format, const std::filesystem::path& path);
 
-/// What of a packing the format of this name has no place for, in words; empty if there is nothing. Throws
-/// InputError for an unknown name.
+/// Lists, in words, the data of a packing that the format of this name cannot store; empty if it stores all.
+/// Throws InputError for an unknown name.
 std::string lost_in(const Packing& packing, std::string_view format);
 
 /// The usual extension of the format of this name, with its dot; throws InputError for an unknown name.

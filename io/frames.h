@@ -10,8 +10,8 @@
 
 namespace furnas {
 
-/// The frame of this number, counted from 1, or the last, of a reader whose next() gives one after the other
-/// and nothing at the end. Throws InputError if there is none of that number.
+/// The frame of this number, counted from 1, or the last. The reader's next() returns one frame after the
+/// other, and an empty value at the end. Throws InputError if there is no frame of that number.
 template <class Reader>
 Packing chosen_frame(Reader& reader, std::optional<std::int64_t> wanted) {
   std::optional<Packing> last;

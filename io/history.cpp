@@ -20,7 +20,7 @@ struct Column {
 
 double per_particle(double energy, const Measures& m) { return energy / static_cast<double>(m.particles); }
 
-/// The columns in order; names are those of LAMMPS where it has one.
+/// The columns in order; the names are those of LAMMPS where LAMMPS has one.
 constexpr Column columns[] = {
     {{"Step", "", "run", "time step"}, [](const Measures& m) { return static_cast<double>(m.step); }},
     {{"Time", "(rho d_s^3/k_n)^(1/2)", "run", "simulated time"}, [](const Measures& m) { return m.time; }},
@@ -37,7 +37,7 @@ constexpr Column columns[] = {
     {{"KinEng", "k_n d_s^2", "per particle",
       "kinetic energy of the peculiar motion and spin, rattlers included"},
      [](const Measures& m) { return m.kinetic_energy; }},
-    {{"KinEngBackbone", "k_n d_s^2", "per backbone particle", "the same of the backbone"},
+    {{"KinEngBackbone", "k_n d_s^2", "per backbone particle", "the same for the backbone"},
      [](const Measures& m) { return m.backbone_kinetic_energy; }},
     {{"ForceImbalance", "", "mean over the backbone",
       "size of the net force on a particle over the mean force of a contact"},
@@ -76,10 +76,11 @@ constexpr Column columns[] = {
     {{"Opening", "k_n d_s^2", "per particle, since the start",
       "left in the tangential springs of contacts that opened"},
      [](const Measures& m) { return per_particle(m.ledger.losses.opening, m); }},
-    {{"Quenched", "k_n d_s^2", "per particle, since the start", "kinetic energy taken out at once"},
+    {{"Quenched", "k_n d_s^2", "per particle, since the start",
+      "kinetic energy removed when all motion is set to zero, and energy removed by the minimizer"},
      [](const Measures& m) { return per_particle(m.ledger.quenched, m); }},
     {{"EnergyGap", "k_n d_s^2", "per particle",
-      "energy that is there beyond what the balance accounts for; 0 if nothing is missing"},
+      "energy of the packing minus the energy that the balance accounts for; 0 if nothing is missing"},
      [](const Measures& m) { return per_particle(m.ledger.gap(m.energy.total()), m); }},
 };
 

@@ -10,18 +10,19 @@
 
 namespace furnas {
 
-/// history.csv: a row of measures each few steps, under the column names of LAMMPS where it has one.
+/// history.csv: a row of measures every few steps. The names of columns are those of LAMMPS where LAMMPS has
+/// one.
 class History {
  public:
-  /// Begins `path` anew with its header; throws OutputError.
+  /// Creates `path`, or empties an existing file, and writes the header; throws OutputError.
   explicit History(const std::filesystem::path& path);
-  /// Goes on with `path` where mark() was taken: later rows are cut off. Throws InputError.
+  /// Continues `path` from an earlier mark() and cuts off later rows. Throws InputError.
   History(const std::filesystem::path& path, const FileMark& mark) : file_(path, mark) {}
 
   /// Appends a row and hands it to the system; throws OutputError.
   void add(const Measures& measures);
 
-  /// Brings the rows to the disk and says how far they reach.
+  /// Writes the rows through to the disk and returns the mark of the file.
   FileMark mark() { return file_.mark(); }
 
  private:
@@ -31,7 +32,7 @@ class History {
 /// Names of the columns.
 std::vector<std::string> history_columns();
 
-/// What they are.
+/// Units and meanings of the columns.
 std::vector<OutputField> history_fields();
 
 /// The values of these columns of a history, row by row. Throws InputError.

@@ -30,7 +30,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> li
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The step that a title tells; 0 if it tells none.
+/// The step in a title; 0 if it contains none.
 std::int64_t step_of_title(std::string_view title) {
   const std::size_t at = title.find(step_in_title);
   if (at == title.npos) return 0;
@@ -62,7 +62,7 @@ class DataReader {
     while (words_.empty() && reader_.next_line()) words_ = reader_.words('#');
   }
 
-  /// The words behind '#' in the current line.
+  /// The words after '#' in the current line.
   std::vector<std::string> comment() const {
     const Words all = reader_.words();
     std::vector<std::string> found;
@@ -93,7 +93,7 @@ class DataReader {
     if (name == "Velocities" && words_.size() == 1) return velocities();
     if (name == "Masses" && words_.size() == 1) return masses();
     if (words_ == Words{"Atom", "Type", "Labels"}) return labels();
-    if (is_one_of(name, {"Pair", "PairIJ"})) {  // say nothing about spheres that Atoms does not
+    if (is_one_of(name, {"Pair", "PairIJ"})) {  // contain nothing about spheres beyond Atoms
       for (next(); !words_.empty() && !at_section();) next();
       return;
     }
@@ -102,8 +102,8 @@ class DataReader {
         "Coeffs");
   }
 
-  /// Of spheres, whose mass stands in Atoms, these say nothing; but comments behind them often name the
-  /// types.
+  /// The masses of spheres follow from Atoms, so the numbers are ignored; but comments after them often name
+  /// the types.
   void masses() {
     for (next(); !words_.empty() && !at_section(); next())
       if (const auto names = comment(); names.size() == 1 && words_.size() == 2)
@@ -116,7 +116,7 @@ class DataReader {
       const std::string label(words_[1]);
       name_type(reader_.particle_type(words_[0]), label);
       if (!type_of_label_.emplace(label, reader_.particle_type(words_[0])).second)
-        reader_.fail(fmt::format("the label {} stands twice", label));
+        reader_.fail(fmt::format("the label {} occurs twice", label));
     }
   }
 
@@ -129,7 +129,7 @@ class DataReader {
     names_[place - 1] = name;
   }
 
-  /// Of the types, if each has one.
+  /// The names of the types, if each type has one.
   std::vector<std::string> names() const {
     if (names_.empty()) return header_.names();
     const bool all =
@@ -158,7 +158,7 @@ class DataReader {
   }
 
   void atoms() {
-    if (!rows_.empty()) reader_.fail("the section Atoms stands here for the second time");
+    if (!rows_.empty()) reader_.fail("the section Atoms occurs here for the second time");
     const std::vector<std::string> style = comment();
     const bool bonded = !style.empty() && style[0] == "bpm/sphere";
     if (!style.empty() && !bonded && style[0] != "sphere")
@@ -201,7 +201,7 @@ class DataReader {
   }
 
   void velocities() {
-    if (!velocities_.empty()) reader_.fail("the section Velocities stands here for the second time");
+    if (!velocities_.empty()) reader_.fail("the section Velocities occurs here for the second time");
     velocities_.reserve(header_.count());
     for (std::size_t k = 0; k < header_.count(); ++k) {
       section_line(k, "Velocities", 7, 7, "7: id vx vy vz wx wy wz");
@@ -228,8 +228,9 @@ class DataReader {
   TextReader reader_;
   Words words_;
   LammpsHeader header_;
-  std::vector<std::string> names_;                                  ///< of the types, from sections
-  std::map<std::string, std::int32_t, std::less<>> type_of_label_;  ///< as Atoms may say them
+  std::vector<std::string> names_;  ///< of the types, from sections
+  std::map<std::string, std::int32_t, std::less<>>
+      type_of_label_;  ///< labels that Atoms may use instead of numbers
   std::vector<ParticleRow> rows_;
   std::vector<VelocityRow> velocities_;
 };

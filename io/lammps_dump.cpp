@@ -90,7 +90,7 @@ class DumpReader {
     cell_->check(reader_);
   }
 
-  /// The numbers of the next line, which must be as many as `expected` says.
+  /// The `count` numbers of the next line; `expected` describes them in an error.
   std::vector<double> bounds(const std::string& item, std::size_t count, const char* expected) {
     reader_.require_line("a line of " + item);
     std::vector<double> numbers;

@@ -13,10 +13,10 @@ void LammpsHeader::take(const TextReader& reader, const std::vector<std::string_
     count_ = reader.particle_count(words[0], least_row);
   } else if (n == 3 && words[1] == "atom" && words[2] == "types") {
     types_ = reader.integer(words[0], "the number of atom types");
-    // As many words as there are types are their names; any other comment is a comment.
+    // A comment with as many words as there are types gives their names; any other comment is ignored.
     if (static_cast<std::int64_t>(names.size()) == *types_) names_ = std::move(names);
   } else if (!take_bounds(reader, words) && !take_edges(reader, words) && words[0] != "0") {
-    // "0 bonds" and the like promise nothing.
+    // "0 bonds" and similar lines announce nothing and are ignored.
     reader.fail(
         "unknown line in the header; expected 'N atoms', 'N atom types', 'lo hi xlo xhi' (y, z), "
         "'a b c xy xz yz', 'x y z avec' (bvec, cvec) or 'x y z abc origin'");

@@ -15,12 +15,11 @@ namespace furnas {
 /// The header of a LAMMPS data file, line by line.
 class LammpsHeader {
  public:
-  /// Takes a line of words; `names` are those in the comment behind it. Throws InputError for a line it does
-  /// not know.
+  /// Takes a line of words; `names` are the words of the comment after it. Throws InputError for a line it
+  /// does not know.
   void take(const TextReader& reader, const std::vector<std::string_view>& words,
             std::vector<std::string> names);
-  /// Throws InputError at the reader's line unless there was all that is needed; the cell counts from then
-  /// on.
+  /// Throws InputError at the reader's line unless the header is complete; cell() is valid afterwards.
   void finish(const TextReader& reader);
 
   std::size_t count() const { return *count_; }
@@ -39,8 +38,8 @@ class LammpsHeader {
   std::vector<std::string> names_;  ///< of the types; none, or as many as there are
   std::array<std::optional<std::array<double, 2>>, 3> bounds_;
   Triangle tilts_;
-  std::array<std::optional<Vec3<double>>, 3> edges_;  ///< of a general triclinic cell
-  Vec3<double> corner_;                               ///< of it
+  std::array<std::optional<Vec3<double>>, 3> edges_;  ///< edges of a general triclinic cell
+  Vec3<double> corner_;                               ///< origin of a general triclinic cell
   FileCell cell_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace furnas {
 
-/// Calls `write` with the packing, or, where the cell is tilted by more than half an edge, which LAMMPS
-/// refuses, with a copy that has shorter edges of the same lattice.
+/// Calls `write` with the packing. LAMMPS refuses a cell tilted by more than half an edge; in that case
+/// `write` gets a copy with shorter edges of the same lattice.
 template <class Write>
 void write_for_lammps(const Packing& packing, Write&& write) {
   constexpr double farthest_tilt = 0.5;

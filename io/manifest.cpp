@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Calls `visit` with the path of each regular file in the folder and the folders in it. The iterators of the
-/// standard library end the process when they get no memory.
+/// Calls `visit` with the path of each regular file in the folder and the folders in it. The standard
+/// library's iterators are not used, because they end the process when they get no memory.
 template <class Visit>
 void each_file(const fs::path& folder, Visit&& visit) {
   const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
@@ -38,7 +38,7 @@ void each_file(const fs::path& folder, Visit&& visit) {
 void write_manifest(const fs::path& folder, const std::string& program) {
   constexpr const char* name = "manifest.json";
   std::map<std::string, nlohmann::ordered_json> files;
-  std::vector<char> block(std::size_t{1} << 20);  // not a file at once: it may be larger than the memory
+  std::vector<char> block(std::size_t{1} << 20);  // read in blocks: a file may be larger than the memory
   each_file(folder, [&](const fs::path& path) {
     if (path.filename() == name || path.extension() == ".lock") return;
     std::ifstream in = open_file(path);

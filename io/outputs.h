@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A finished or stopped run, as the files of its folder show it.
+/// A finished or stopped run: the data from which the files of its folder are written.
 struct RunRecord {
   const Case& resolved_case;
   const Packing& packing;

@@ -17,8 +17,9 @@ const VtpField vtp[] = {
     {whole, {"TimeValue", time, "packing", "simulated time"}},
     {whole, {"step", "", "packing", "time step"}},
     {whole, {"origin", length, "packing", "corner of the cell"}},
-    {point, {"id", "", "each particle", "1, 2, 3, ..., or that of the start file"}},
-    {point, {"type", "", "each particle", "1, 2, 3, ... of the start file; else 1 large, 2 small"}},
+    {point, {"id", "", "each particle", "1, 2, 3, ..., or the id in the start file"}},
+    {point,
+     {"type", "", "each particle", "the type in the start file, 1, 2, 3, ...; without one 1 large, 2 small"}},
     {point, {"species", "", "each particle", "0 large, 1 small"}},
     {point, {"radius", length, "each particle", "half the diameter"}},
     {point, {"mass", mass, "each particle", "of the sphere, at density rho"}},
@@ -32,23 +33,23 @@ const VtpField vtp[] = {
 
 const VtpField contacts[] = {
     {line, {"i", "", "each contact", "id of the particle at the first end of the line"}},
-    {line,
-     {"j", "", "each contact", "id of the particle whose image that is touched lies at the second end"}},
-    {line, {"force", force, "each contact", "on i; on j acts the opposite"}},
+    {line, {"j", "", "each contact", "id of the particle whose image, touched by i, lies at the second end"}},
+    {line, {"force", force, "each contact", "force on i; the force on j is the opposite"}},
     {line,
      {"normal_force", force, "each contact",
-      "part of it along the normal, which points from j to i: positive when it pushes them apart"}},
-    {line, {"tangential_force", force, "each contact", "size of the part across the normal, never negative"}},
+      "component along the normal, which points from j to i; positive when it pushes i and j apart"}},
+    {line,
+     {"tangential_force", force, "each contact", "size of the component across the normal, never negative"}},
     {line, {"overlap", length, "each contact", "R_i + R_j - distance of the centres, positive"}},
     {line, {"sliding", "", "each contact", "1 at the Coulomb limit, else 0"}},
 };
 
 const OutputField xyz[] = {
     {"species", "", "each particle",
-     "a chemical element that stands for the type, for programs that ask for one"},
+     "a chemical element that stands for the type, for programs that need one"},
     {"species_name", "", "each particle",
      "large, small, sphere in a polydisperse packing, or the name of the type in the start file"},
-    {"id", "", "each particle", "1, 2, 3, ..., or that of the start file"},
+    {"id", "", "each particle", "1, 2, 3, ..., or the id in the start file"},
     {"pos", length, "each particle", "centre, within the cell"},
     {"image", "", "each particle", "cells crossed along each edge"},
     {"radius", length, "each particle", "half the diameter"},
@@ -60,7 +61,7 @@ const OutputField xyz[] = {
 };
 
 const OutputField csv[] = {
-    {"id", "", "each particle", "1, 2, 3, ..., or that of the start file"},
+    {"id", "", "each particle", "1, 2, 3, ..., or the id in the start file"},
     {"species", "", "each particle",
      "large, small, sphere in a polydisperse packing, or the name of the type in the start file"},
     {"radius", length, "each particle", "half the diameter"},
@@ -80,7 +81,7 @@ const OutputField csv[] = {
     {"torque_x", torque, "each particle", "net torque of its contacts about its centre"},
     {"torque_y", torque, "each particle", "the same"},
     {"torque_z", torque, "each particle", "the same"},
-    {"type", "", "each particle", "1, 2, 3, ... of the start file; else 1 large, 2 small"},
+    {"type", "", "each particle", "the type in the start file, 1, 2, 3, ...; without one 1 large, 2 small"},
 };
 
 const OutputField contacts_table[] = {
@@ -90,7 +91,7 @@ const OutputField contacts_table[] = {
     {"branch_y", length, "each contact", "the same"},
     {"branch_z", length, "each contact", "the same"},
     {"overlap", length, "each contact", "R_i + R_j - distance of the centres, positive"},
-    {"force_x", force, "each contact", "on i; on j acts the opposite"},
+    {"force_x", force, "each contact", "force on i; the force on j is the opposite"},
     {"force_y", force, "each contact", "the same"},
     {"force_z", force, "each contact", "the same"},
     {"history_x", length, "each contact", "tangential displacement of i against j"},

@@ -7,10 +7,10 @@
 
 namespace furnas {
 
-/// What the files of a packing hold, for `furnas schema --outputs`. The writers are in the files of the
-/// formats; tests/io/packing_fields_test.cpp asks that what they write and what stands here are the same.
+/// Describes the content of the files of a packing, for `furnas schema --outputs`. The writers are in the
+/// files of the formats; tests/io/packing_fields_test.cpp checks that they write what is described here.
 
-/// An array of a VTP file, and where in it.
+/// An array of a VTP file, and its place in the file.
 struct VtpField {
   enum class Place { field, point, cell } place;  ///< FieldData, PointData, CellData
   OutputField about;

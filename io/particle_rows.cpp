@@ -37,7 +37,7 @@ bool wrap_one(double place, std::uint64_t& fraction, std::int32_t& image) {
 void check_ids(const TextReader& reader, const std::vector<ParticleRow>& rows) {
   for (std::size_t k = 1; k < rows.size(); ++k)
     if (rows[k].id == rows[k - 1].id)
-      reader.fail_at(rows[k].line, fmt::format("the id {} stands already in line {}; each id occurs once",
+      reader.fail_at(rows[k].line, fmt::format("the id {} occurs already in line {}; each id occurs once",
                                                rows[k].id, rows[k - 1].line));
 }
 
@@ -57,7 +57,7 @@ std::vector<std::int32_t> types_of(const std::vector<ParticleRow>& rows) {
   return types;
 }
 
-/// The species that the name of each type says; nothing where a name says another thing.
+/// The species according to the name of each type; empty where a name is neither "large" nor "small".
 std::optional<std::vector<Species>> species_by_name(const std::vector<std::int32_t>& types,
                                                     const std::vector<std::string>& names) {
   std::vector<Species> species;
@@ -112,7 +112,7 @@ void NamedTypes::note(std::string_view name, ParticleRow& row) {
 }
 
 std::vector<std::string> NamedTypes::names_of_numbers() const {
-  constexpr std::size_t largest_gap = 100;  // numbers with larger ones are no list
+  constexpr std::size_t largest_gap = 100;  // type numbers with larger gaps are not a list
   std::vector<std::string> names;
   for (const auto& [type, name] : numbered_) {
     const auto place = static_cast<std::size_t>(type) - 1;
@@ -134,7 +134,7 @@ std::vector<std::string> NamedTypes::finish(std::vector<ParticleRow>& rows) cons
   if (usual) names = {std::string(name_of(Species::large)), std::string(name_of(Species::small))};
   std::vector<std::int32_t> final_type(known_.size() + 1);
   std::int32_t next = 0;
-  for (const auto& [name, type] : known_) {  // in the order of the alphabet
+  for (const auto& [name, type] : known_) {  // in alphabetical order
     ++next;
     const auto place = static_cast<std::size_t>(type);
     if (numbers)

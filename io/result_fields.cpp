@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A count of one species; null where there are none to tell apart.
+/// A count of one species; null where large and small spheres are not distinguished.
 Json of_species(const Result& r, std::int64_t count) { return r.has_species() ? Json(count) : Json(nullptr); }
 
 Json share(const Result& r, std::int64_t part, std::int64_t whole) {
@@ -15,12 +15,12 @@ Json share(const Result& r, std::int64_t part, std::int64_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// A measure of the backbone; null without one.
+/// A measure of the backbone; null without a backbone.
 Json of_backbone(const Result& r, double value) {
   return r.measures.backbone().backbone > 0 ? Json(value) : Json(nullptr);
 }
 
-/// Which limit of the balance of forces was kept; the paper's criterion asks for none.
+/// Which limit of the force balance the packing meets; the paper's criterion has no such limit.
 Json force_balance(const Result& r, const Case& c) {
   if (r.verdict != Verdict::jammed || c.stop.criterion == "paper") return nullptr;
   return r.rest.loosely ? "loose" : "tight";
@@ -61,19 +61,19 @@ Json pace(const Result& r, const Case&) {
 // clang-format off
 const ResultField fields[] = {
     {{"verdict", "", "run", "jammed, settled, budget, diverged or interrupted"}, FURNAS_FIELD(to_string(r.verdict))},
-    {{"reason", "", "run", "why it ended so, in a sentence"}, FURNAS_FIELD(r.reason)},
+    {{"reason", "", "run", "why the run ended with this verdict, in a sentence"}, FURNAS_FIELD(r.reason)},
     {{"criterion", "", "run", "stop.criterion: what counts as rest"}, FURNAS_FIELD(c.stop.criterion)},
-    {{"version", "", "run", "of furnas; another may give other bits"}, FURNAS_FIELD(r.version)},
+    {{"version", "", "run", "version of furnas; another version may give other bits"}, FURNAS_FIELD(r.version)},
     {{"phi_J", "", "packing", "packing fraction at jamming; null unless the verdict is jammed"}, FURNAS_FIELD(r.phi_J() ? Json(*r.phi_J()) : Json(nullptr))},
     {{"phi", "", "packing", "packing fraction: volume of the spheres (overlaps counted twice) over that of the cell"}, FURNAS_MEASURE(m.phi)},
-    {{"phi_bound", "", "packing", "bound on what phi may still change; null of a jammed packing, and where it is not known"}, FURNAS_FIELD(r.verdict == Verdict::jammed ? Json(nullptr) : Json(r.phi_bound))},
-    {{"state_hash", "", "packing", "checksum of the whole state: equal bits, equal hash"}, FURNAS_FIELD(fmt::format("{:016x}", r.state_hash))},
-    {{"force_balance", "", "run", "of a jammed packing: tight, below stop.force_imbalance; loose, below stop.loose_imbalance for ten windows"}, force_balance},
+    {{"phi_bound", "", "packing", "bound on the further change of phi; null for a jammed packing, and where it is not known"}, FURNAS_FIELD(r.verdict == Verdict::jammed ? Json(nullptr) : Json(r.phi_bound))},
+    {{"state_hash", "", "packing", "checksum of the whole state; states with equal bits have equal hashes"}, FURNAS_FIELD(fmt::format("{:016x}", r.state_hash))},
+    {{"force_balance", "", "run", "of a jammed packing; tight: force_imbalance is below stop.force_imbalance; loose: it was below 1e-3 for ten windows"}, force_balance},
     {{"force_imbalance", "", "mean over the backbone", "size of the net force on a particle over the mean force of all contacts"}, FURNAS_FIELD(of_backbone(r, r.measures.force_imbalance))},
-    {{"stress_error", "", "largest component", "|P_aa - p_a|/p_a or |P_ab|/p_a, of those that the cell can answer to"}, FURNAS_FIELD(r.rest.stress_error)},
+    {{"stress_error", "", "largest component", "|P_aa - p_a|/p_a or |P_ab|/p_a, of the components to which the cell can respond"}, FURNAS_FIELD(r.rest.stress_error)},
     {{"strain_drift_in_2000_t_c", "", "largest component", "strain of the cell in 2000 collision times, from its edges over the last window"}, FURNAS_FIELD(r.rest.strain_drift)},
     {{"kinetic_energy_per_particle", "k_n d_s^2", "per particle", "of the peculiar motion and spin of all spheres, rattlers included"}, FURNAS_MEASURE(m.kinetic_energy)},
-    {{"backbone_kinetic_energy_per_particle", "k_n d_s^2", "per backbone particle", "the same of the backbone"}, FURNAS_FIELD(of_backbone(r, r.measures.backbone_kinetic_energy))},
+    {{"backbone_kinetic_energy_per_particle", "k_n d_s^2", "per backbone particle", "the same for the backbone"}, FURNAS_FIELD(of_backbone(r, r.measures.backbone_kinetic_energy))},
     {{"pressure", "k_n/d_s", "packing", "trace(P)/3 of the measured stress, positive in compression"}, FURNAS_MEASURE(m.pressure)},
     {{"applied_pressure", "k_n/d_s", "bath", "p_a at the end; null in a fixed cell"}, FURNAS_FIELD(c.compaction.cell == "fixed" ? Json(nullptr) : Json(r.pressure))},
     {{"stress.xx", "k_n/d_s", "packing", "P = (sum m v v + sum branch force)/volume, over particles and contacts, positive in compression"}, FURNAS_MEASURE(m.stress[0])},
@@ -85,10 +85,10 @@ const ResultField fields[] = {
     {{"Z", "", "per particle", "coordination: 2 contacts/particles, rattlers included"}, FURNAS_MEASURE(m.coordination)},
     {{"Z_backbone", "", "per backbone particle", "2 contacts among backbone particles/backbone particles"}, FURNAS_MEASURE(m.backbone().coordination)},
     {{"contacts", "", "total", "pairs that overlap, live or not; a pair that touches across two faces counts twice"}, FURNAS_MEASURE(m.contacts)},
-    {{"backbone_threshold", "", "run", "live contacts that a backbone particle has at least: 2 with friction, 4 without; a contact is live above 1 % of the mean normal force of its kind"}, FURNAS_MEASURE(m.backbone_threshold)},
-    {{"rattlers", "", "list", "counts by each threshold of live contacts, 2, 3 and 4"}, rattlers},
-    {{"quenches", "", "total", "times all motion was taken out at once"}, FURNAS_FIELD(r.quenches)},
-    {{"minimizer_evaluations", "", "total", "times the minimizer computed all forces"}, FURNAS_FIELD(r.evaluations)},
+    {{"backbone_threshold", "", "run", "least number of live contacts of a backbone particle: 2 with friction, 4 without; a contact is live if its normal force is above 1 % of the mean of its kind"}, FURNAS_MEASURE(m.backbone_threshold)},
+    {{"rattlers", "", "list", "counts of rattlers for the thresholds of 2, 3 and 4 live contacts"}, rattlers},
+    {{"quenches", "", "total", "number of times that all motion was set to zero"}, FURNAS_FIELD(r.quenches)},
+    {{"minimizer_evaluations", "", "total", "number of times that the minimizer computed all forces"}, FURNAS_FIELD(r.evaluations)},
     {{"energy.kinetic", "k_n d_s^2", "total", "of the peculiar motion and spin, at the end"}, FURNAS_MEASURE(m.energy.kinetic)},
     {{"energy.normal", "k_n d_s^2", "total", "stored in overlaps, at the end"}, FURNAS_MEASURE(m.energy.normal)},
     {{"energy.tangential", "k_n d_s^2", "total", "stored in tangential springs, at the end"}, FURNAS_MEASURE(m.energy.tangential)},
@@ -98,21 +98,21 @@ const ResultField fields[] = {
     {{"energy.tangential_damping", "k_n d_s^2", "total since the start", "taken out by tangential damping"}, FURNAS_MEASURE(m.ledger.losses.tangential_damping)},
     {{"energy.sliding", "k_n d_s^2", "total since the start", "taken out by contacts at the Coulomb limit"}, FURNAS_MEASURE(m.ledger.losses.sliding)},
     {{"energy.opening", "k_n d_s^2", "total since the start", "left in the tangential springs of contacts that opened"}, FURNAS_MEASURE(m.ledger.losses.opening)},
-    {{"energy.quenched", "k_n d_s^2", "total since the start", "kinetic energy taken out at once"}, FURNAS_MEASURE(m.ledger.quenched)},
-    {{"energy.relative_gap", "", "total", "what the balance misses over what went through; 0 if nothing is missing"}, FURNAS_MEASURE(m.ledger.relative_gap(m.energy.total()))},
+    {{"energy.quenched", "k_n d_s^2", "total since the start", "kinetic energy removed when all motion is set to zero, and energy removed by the minimizer"}, FURNAS_MEASURE(m.ledger.quenched)},
+    {{"energy.relative_gap", "", "total", "energy gap of the balance over the energy that went through it; 0 if nothing is missing"}, FURNAS_MEASURE(m.ledger.relative_gap(m.energy.total()))},
     {{"sliding_share", "", "share of the contacts", "those at the Coulomb limit"}, FURNAS_MEASURE(m.sliding_share)},
     {{"largest_overlap", "", "largest of the contacts", "overlap over the smaller radius of the pair"}, FURNAS_MEASURE(m.largest_overlap)},
     {{"mean_force", "k_n d_s", "mean over the contacts", "size of the force of a contact, normal and tangential"}, FURNAS_MEASURE(m.mean_force)},
     {{"resting_states", "", "list", "each pressure at which the packing came to rest"}, resting_states},
     {{"particles", "", "total", "spheres"}, FURNAS_FIELD(r.large + r.small)},
-    {{"large", "", "total", "large spheres; null in a polydisperse packing, as every count of a species"}, FURNAS_FIELD(of_species(r, r.large))},
-    {{"small", "", "total", "small spheres; null as well"}, FURNAS_FIELD(of_species(r, r.small))},
+    {{"large", "", "total", "large spheres; null in a polydisperse packing, as is every count of a species"}, FURNAS_FIELD(of_species(r, r.large))},
+    {{"small", "", "total", "small spheres; null in a polydisperse packing"}, FURNAS_FIELD(of_species(r, r.small))},
     {{"polydisperse", "", "packing", "true if spheres of one species differ in size"}, FURNAS_FIELD(r.polydisperse)},
-    {{"diameters.sizes", "", "total", "different diameters; two that differ by less than a millionth are one"}, FURNAS_FIELD(r.sizes.count)},
+    {{"diameters.sizes", "", "total", "number of different diameters; two that differ by less than a millionth count as one"}, FURNAS_FIELD(r.sizes.count)},
     {{"diameters.smallest", "d_s", "packing", "diameter of the smallest sphere"}, FURNAS_FIELD(r.sizes.smallest)},
     {{"diameters.mean", "d_s", "mean over the spheres", "diameter"}, FURNAS_FIELD(r.mean_diameter)},
     {{"diameters.largest", "d_s", "packing", "diameter of the largest sphere"}, FURNAS_FIELD(r.sizes.largest)},
-    {{"diameters.listed_unit", "that of mixture.diameters", "run", "what 1 d_s is in the unit of the list: multiply lengths by it; null without a list, or if it cannot be read any more"}, FURNAS_FIELD(r.listed_unit ? Json(*r.listed_unit) : Json(nullptr))},
+    {{"diameters.listed_unit", "that of mixture.diameters", "run", "1 d_s in the unit of the list mixture.diameters; a length times this number is in that unit; null without a list, or if the list is no longer there"}, FURNAS_FIELD(r.listed_unit ? Json(*r.listed_unit) : Json(nullptr))},
     {{"cell.lx", "d_s", "cell", "edges of the cell are (lx, 0, 0), (xy, ly, 0), (xz, yz, lz)"}, FURNAS_MEASURE(m.cell.edges.xx)},
     {{"cell.ly", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.yy)},
     {{"cell.lz", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.zz)},
@@ -128,21 +128,21 @@ const ResultField fields[] = {
     {{"seed", "", "run", "mixture.seed"}, FURNAS_FIELD(c.mixture.seed)},
     {{"steps", "", "total", "time steps from the start of the run"}, FURNAS_MEASURE(m.step)},
     {{"time", "(rho d_s^3/k_n)^(1/2)", "run", "simulated time"}, FURNAS_MEASURE(m.time)},
-    {{"flips", "", "total", "times the tilted cell was described by shorter edges"}, FURNAS_FIELD(r.flips)},
-    {{"lists_built", "", "total", "neighbour lists, since the last process began"}, FURNAS_MEASURE(m.rebuilds)},
+    {{"flips", "", "total", "number of times that tilted edges of the cell were replaced by shorter ones of the same lattice"}, FURNAS_FIELD(r.flips)},
+    {{"lists_built", "", "total", "neighbour lists built by the last process of the run"}, FURNAS_MEASURE(m.rebuilds)},
     {{"threads", "", "run", "of the last process"}, FURNAS_FIELD(r.threads)},
-    {{"wall_seconds", "s", "total", "wall-clock time of all processes that had a part in it"}, FURNAS_FIELD(r.wall_seconds)},
-    {{"cpu_seconds", "s", "total", "computed by all threads of these processes; null if one of them did not say"}, FURNAS_FIELD(r.cpu_seconds)},
+    {{"wall_seconds", "s", "total", "wall-clock time of all processes of the run"}, FURNAS_FIELD(r.wall_seconds)},
+    {{"cpu_seconds", "s", "total", "CPU time of all threads of these processes; null if one of them did not record it"}, FURNAS_FIELD(r.cpu_seconds)},
     {{"million_particle_steps_per_second", "10^6/s", "mean", "speed: particles times steps over wall-clock time"}, pace},
 };
 
 const RattlerField rattler_table[] = {
-    {{"least_contacts", "", "entry", "threshold z_min: particles with fewer live contacts are taken out, again and again"}, [](const RattlerCount& n, const Result&) -> Json { return n.least_contacts; }},
-    {{"applies", "", "entry", "true for the threshold of the run, by which Z_backbone and force_imbalance are counted"}, [](const RattlerCount& n, const Result& r) -> Json { return n.least_contacts == r.measures.backbone_threshold; }},
+    {{"least_contacts", "", "entry", "threshold z_min: particles with fewer live contacts are removed repeatedly, until all that remain have enough"}, [](const RattlerCount& n, const Result&) -> Json { return n.least_contacts; }},
+    {{"applies", "", "entry", "true for the threshold of the run, which defines the backbone of Z_backbone and force_imbalance"}, [](const RattlerCount& n, const Result& r) -> Json { return n.least_contacts == r.measures.backbone_threshold; }},
     {{"large", "", "total", "large spheres that are rattlers"}, [](const RattlerCount& n, const Result& r) { return of_species(r, n.large); }},
     {{"small", "", "total", "small spheres that are rattlers"}, [](const RattlerCount& n, const Result& r) { return of_species(r, n.small); }},
-    {{"large_share", "", "share of the large spheres", "rattlers among them; null without any"}, [](const RattlerCount& n, const Result& r) { return share(r, n.large, r.large); }},
-    {{"small_share", "", "share of the small spheres", "rattlers among them; null without any"}, [](const RattlerCount& n, const Result& r) { return share(r, n.small, r.small); }},
+    {{"large_share", "", "share of the large spheres", "rattlers among these spheres; null without spheres of this species"}, [](const RattlerCount& n, const Result& r) { return share(r, n.large, r.large); }},
+    {{"small_share", "", "share of the small spheres", "rattlers among these spheres; null without spheres of this species"}, [](const RattlerCount& n, const Result& r) { return share(r, n.small, r.small); }},
     {{"backbone", "", "total", "spheres that are no rattlers, N_0"}, [](const RattlerCount& n, const Result&) -> Json { return n.backbone; }},
     {{"contacts", "", "total", "contacts among them, N_c"}, [](const RattlerCount& n, const Result&) -> Json { return n.contacts; }},
     {{"coordination", "", "per backbone particle", "2 N_c/N_0; 0 without a backbone"}, [](const RattlerCount& n, const Result&) -> Json { return n.coordination; }},
@@ -150,8 +150,8 @@ const RattlerField rattler_table[] = {
 
 const RestingField resting_table[] = {
     {{"pressure", "k_n/d_s", "bath", "p_a"}, [](const RestingState& s) -> Json { return s.pressure; }},
-    {{"phi_J", "", "packing", "packing fraction at rest under it"}, [](const RestingState& s) -> Json { return s.phi; }},
-    {{"step", "", "run", "time step at which it was at rest"}, [](const RestingState& s) -> Json { return s.step; }},
+    {{"phi_J", "", "packing", "packing fraction at rest under this pressure"}, [](const RestingState& s) -> Json { return s.phi; }},
+    {{"step", "", "run", "time step at which the packing was at rest"}, [](const RestingState& s) -> Json { return s.step; }},
 };
 // clang-format on
 

@@ -12,24 +12,24 @@ namespace furnas {
 /// A number or word of result.json. The table of all is the only place that knows their names; writing and
 /// documenting go through it.
 struct ResultField {
-  OutputField about;  ///< "stress.xx" stands in an object "stress"
+  OutputField about;  ///< "stress.xx" is the field "xx" of an object "stress"
   /// NaN and infinity become null in the file.
   nlohmann::ordered_json (*value)(const Result&, const Case&);
 };
 
-/// The same of an entry of "rattlers", one for each threshold of contacts.
+/// The same for an entry of "rattlers", one for each threshold of contacts.
 struct RattlerField {
   OutputField about;
   nlohmann::ordered_json (*value)(const RattlerCount&, const Result&);
 };
 
-/// The same of an entry of "resting_states", one for each pressure at which the packing came to rest.
+/// The same for an entry of "resting_states", one for each pressure at which the packing came to rest.
 struct RestingField {
   OutputField about;
   nlohmann::ordered_json (*value)(const RestingState&);
 };
 
-/// All of them, in the order of the file; "rattlers" and "resting_states" stand for their lists.
+/// All fields, in the order of the file; "rattlers" and "resting_states" are lists with fields of their own.
 std::span<const ResultField> result_fields();
 std::span<const RattlerField> rattler_fields();
 std::span<const RestingField> resting_fields();

@@ -16,9 +16,9 @@ constexpr std::size_t magic_size = 8;
 constexpr std::size_t head_size = 16;
 constexpr std::size_t trailer_size = 32;
 constexpr std::uint32_t longest_name = 64;
-constexpr int compression_level = 1;  // positions and forces hardly shrink, however hard one tries
+constexpr int compression_level = 1;  // positions and forces hardly shrink at any level
 
-/// A fuzzer does not guess hashes; without them it meets what they protect.
+/// A fuzzer cannot guess hashes. Without hash checks it reaches the code behind them.
 #ifdef FURNAS_FUZZING
 constexpr bool hashes_count = false;
 #else
@@ -38,7 +38,7 @@ struct BlockHead {
 };
 static_assert(sizeof(BlockHead) == 8);
 
-/// zstd asks for memory of its own; a file is not damaged because there is none.
+/// zstd allocates memory itself. A lack of memory must not be reported as a damaged file.
 void refuse_without_memory(std::size_t zstd_answer) {
   if (ZSTD_getErrorCode(zstd_answer) == ZSTD_error_memory_allocation) throw std::bad_alloc();
 }
@@ -146,11 +146,10 @@ void SectionReader::begin(std::string_view name, std::size_t element_size) {
   section_hash_.restart();
   SectionHead head;
   get(&head, sizeof head);
-  if (head.name_length > longest_name) fail("damaged: another section stands here, or none");
+  if (head.name_length > longest_name) fail("damaged: another section is here, or none");
   std::string found(head.name_length, '\0');
   get(found.data(), found.size());
-  if (found != name || head.element_size != element_size)
-    fail("damaged: another section stands here, or none");
+  if (found != name || head.element_size != element_size) fail("damaged: another section is here, or none");
   element_size_ = element_size;
   elements_left_ = head.count;
 }

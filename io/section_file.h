@@ -21,22 +21,23 @@ namespace furnas {
 // A binary file of named arrays; all numbers are little-endian.
 //
 //   file     magic (8 bytes), version (u32), 0 (u32), sections, trailer
-//   section  length of the name (u32), size of an element (u32), number of elements (u64), name, blocks, hash
-//   (u64) block    raw size (u32), stored size (u32), a zstd frame; the blocks together are the elements in
-//   order trailer  number of sections (u64), size of the file (u64), hash (u64), magic (8 bytes)
+//   section  length of the name (u32), size of an element (u32), number of elements (u64), name, blocks,
+//            hash (u64)
+//   block    raw size (u32), stored size (u32), a zstd frame; all blocks together are the elements in order
+//   trailer  number of sections (u64), size of the file (u64), hash (u64), magic (8 bytes)
 //
 // The hash of a section is XXH3 over its bytes before the hash, with the raw bytes of each block after its
 // frame. The hash of the trailer is XXH3 over the file's first 16 bytes, the hashes of the sections and the
 // trailer's first 16 bytes. So no byte of the file can change unnoticed.
 
-/// What a kind of section file begins with.
+/// The beginning of a kind of section file.
 struct SectionFormat {
   std::string_view magic;   ///< 8 characters
   std::uint32_t version{};  ///< grows when the sections change
 };
 
-/// Most raw bytes in a block. The limit bounds what is allocated before the bytes that justify it have been
-/// read.
+/// Most raw bytes in a block. A damaged file can announce any length; this limit bounds the memory that is
+/// allocated before the bytes have been read.
 inline constexpr std::size_t block_size = std::size_t{1} << 20;
 
 /// Writes a file of sections.
@@ -58,7 +59,7 @@ class SectionWriter {
     end();
   }
 
-  /// Writes the trailer and puts the file in its place.
+  /// Writes the trailer and renames the file to its final name.
   void commit();
 
  private:
@@ -83,7 +84,7 @@ class SectionReader {
   SectionReader(const std::filesystem::path& path, const SectionFormat& format);
 
   /// Reads the section `name`, which must be the next, and hands its elements to `take(element)` in order.
-  /// The elements are not to be trusted before this returns.
+  /// The hash of the section is checked last, so the elements may be wrong until this returns.
   template <class T, class Take>
   void array(std::string_view name, Take take) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool>);
@@ -98,7 +99,7 @@ class SectionReader {
     end();
   }
 
-  /// Checks that nothing follows, and the hash over all.
+  /// Checks that no section follows, and checks the hash of the whole file.
   void finish();
 
   /// Throws InputError for the section read last.
@@ -108,7 +109,7 @@ class SectionReader {
   void begin(std::string_view name, std::size_t element_size);
   std::span<const char> next_block();
   void end();
-  /// Reads bytes of the current section; there must be as many before the trailer.
+  /// Reads bytes of the current section; there must be that many before the trailer.
   void get(void* bytes, std::size_t size);
 
   std::string name_;

@@ -8,10 +8,10 @@
 
 namespace furnas {
 
-/// The type of a species in files, where they do not say another.
+/// The default type of a species in files.
 inline std::int32_t type_of(Species species) { return species == Species::large ? 1 : 2; }
 
-/// The name of a species in files, where they do not say another.
+/// The default name of a species in files.
 inline std::string_view name_of(Species species) { return species == Species::large ? "large" : "small"; }
 
 /// The type of particle k in files.
@@ -22,11 +22,13 @@ inline std::int32_t type_of(const Packing& p, std::size_t k) {
 /// How many types a packing has in files of LAMMPS, which number them without gaps.
 std::int32_t type_count(const Packing& packing);
 
-/// The name of a type in files: that of its species, or that which a file gave it, or its number.
+/// The name of a type in files: the name that the start file gave it, or its number there, or else the name
+/// of its species ("sphere" in a polydisperse packing).
 std::string name_of_type(const Packing& packing, std::int32_t type);
 
-/// The chemical element that stands for the type of particle k where a file must have one: the type's name if
-/// that is one; of the types 1 and 2 silver for large and gold for small spheres; others for types beyond.
+/// The chemical element for the type of particle k, in files that need one: the type's name if that is an
+/// element; for the types 1 and 2 silver for large and gold for small spheres; for further types other
+/// elements.
 std::string_view element_of(const Packing& packing, std::size_t k);
 
 }  // namespace furnas

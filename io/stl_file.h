@@ -17,8 +17,8 @@ class StlFile {
   /// Throws OutputError.
   explicit StlFile(const std::filesystem::path& path);
 
-  /// Corners [d_s], counter-clockwise as seen from outside. One of which two corners are the same number is
-  /// no triangle and is left out. Throws OutputError, and InputError for more than 2^32 - 1.
+  /// Adds a triangle with these corners [d_s], counter-clockwise as seen from outside. A triangle with two
+  /// equal corners is left out. Throws OutputError, and InputError for more than 2^32 - 1 triangles.
   void add(const std::array<Vec3<float>, 3>& corners);
 
   std::uint32_t triangles() const { return count_; }

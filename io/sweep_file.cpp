@@ -26,19 +26,18 @@ const Key& key_of(std::string_view path, const toml::node& node, const std::stri
   const std::string_view table = path.substr(0, dot);
   const std::string_view name = dot == path.npos ? "" : path.substr(dot + 1);
   if (path == "mixture.seed")
-    throw InputError(
-        fmt::format("{}: sweep.\"mixture.seed\" = {}; allowed: samples = n, which takes the seeds "
-                    "from mixture.seed on",
-                    place, node_text(node)));
+    throw InputError(fmt::format(
+        "{}: sweep.\"mixture.seed\" = {}; allowed: samples = n, which takes the seeds from mixture.seed on",
+        place, node_text(node)));
   if (const Key* key = find_key(path); key != nullptr && !key->table.empty()) return *key;
   const std::string nearest = nearest_key(table, name);
-  throw InputError(
-      fmt::format("{}: unknown key sweep.\"{}\" = {}; allowed: samples, and keys of the case in "
-                  "quotes, like \"{}\"",
-                  place, path, node_text(node), nearest.empty() ? "contact.friction" : nearest));
+  throw InputError(fmt::format(
+      "{}: unknown key sweep.\"{}\" = {}; allowed: samples, and keys of the case in quotes, like \"{}\"",
+      place, path, node_text(node), nearest.empty() ? "contact.friction" : nearest));
 }
 
-/// The values of one key of a grid, each checked by itself. A start lies beside the case file.
+/// The values of one key of a grid, each checked by itself. A start.file is relative to the folder of the
+/// case file.
 SweepAxis axis_of(std::string_view path, const toml::node& node, const std::string& place, const Case& base,
                   const std::string& file) {
   const Key& key = key_of(path, node, place);
@@ -77,7 +76,7 @@ SweepGrid grid_of(const toml::table& table, const std::string& file, const Case&
   return grid;
 }
 
-/// An assignment of --set to a key that takes its values from every grid would change nothing.
+/// Refuses an assignment of --set to a key that every grid sets, because it would change nothing.
 void refuse_without_effect(std::string_view assignment, const SweepFile& sweep) {
   const std::string key = split_assignment(assignment).path;
   const auto gives = [&](const SweepGrid& grid) {

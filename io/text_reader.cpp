@@ -19,7 +19,7 @@ namespace {
 
 bool blank(char c) { return c == ' ' || c == '\t'; }
 
-/// A word as it may be shown in a message: not too long, nothing that a terminal would obey.
+/// A word in a form fit for a message: shortened, and without control characters for the terminal.
 std::string quoted(std::string_view word) {
   std::string text = "'";
   for (char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';

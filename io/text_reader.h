@@ -12,16 +12,16 @@ namespace furnas {
 /// Throws InputError unless `path` is a file that can be read; returns its size in bytes.
 std::uint64_t readable_size(const std::filesystem::path& path);
 
-/// Opens a file. Throws InputError if it cannot be, and std::bad_alloc if only the memory for it is missing:
-/// a stream by itself would then look like that of an empty file.
+/// Opens a file. Throws InputError if it cannot be opened, and std::bad_alloc if memory is missing; a plain
+/// stream without memory would look like an empty file.
 std::ifstream open_file(const std::filesystem::path& path);
 
-/// All that a file holds; throws as open_file, and InputError if it cannot be read to its end.
+/// The content of a file; throws as open_file does, and InputError if the file cannot be read to its end.
 std::string read_file(const std::filesystem::path& path);
 
-/// Reads the next line, without its end; false after the last. Throws what std::getline would keep to itself
-/// and then look like the end: std::bad_alloc, and std::ios_base::failure if the stream cannot be read any
-/// further.
+/// Reads the next line, without its line end; false after the last. Throws std::bad_alloc, and
+/// std::ios_base::failure if the stream cannot be read any further; std::getline would treat both as the end
+/// of the file.
 bool read_line(std::istream& stream, std::string& line);
 
 /// A text file, line by line, and the numbers in its lines. Each failure names file and line.
@@ -30,10 +30,10 @@ class TextReader {
   /// Opens the file; throws InputError.
   explicit TextReader(const std::filesystem::path& path);
 
-  /// Goes to the next line; false at the end of the file. A last line that has no end is refused, unless it
-  /// is blank: whatever wrote the file was cut short there, perhaps within a number.
+  /// Goes to the next line; false at the end of the file. A last line without a line end is refused unless it
+  /// is blank, because the file may have been cut short there, perhaps within a number.
   bool next_line();
-  /// Goes to the next line; `expected` tells what is missing if there is none.
+  /// Goes to the next line; `expected` names what is missing if there is none.
   void require_line(std::string_view expected);
   /// The current line without its end.
   const std::string& line() const { return line_; }
@@ -57,7 +57,7 @@ class TextReader {
   std::int32_t particle_type(std::string_view word) const;
   /// Cells that a particle has crossed along an edge, up to 1e9.
   std::int32_t image(std::string_view word) const;
-  /// How many particles follow: at least one, and no more than the file can hold if each takes
+  /// The number of particles that follow: at least one, and no more than the file can contain if each takes
   /// `least_bytes`.
   std::size_t particle_count(std::string_view word, std::size_t least_bytes) const;
 

@@ -20,7 +20,7 @@ namespace {
 constexpr int most_seeds = 100'000;
 constexpr const char* own_tables[] = {tradeoff_table, "cases", "arms"};
 
-/// What a case, or all of them, is compared by; an empty field is not given.
+/// Settings of the comparison, for one case or for all; an empty field was not given.
 struct Terms {
   std::optional<int> samples;
   std::optional<double> margin;
@@ -36,8 +36,8 @@ struct Terms {
 struct Entry {
   std::string name, place;
   Terms terms;                     ///< of a case
-  std::vector<std::string> set;    ///< assignments, as of --set
-  std::vector<std::string> cases;  ///< of an arm: those it is for; empty: all
+  std::vector<std::string> set;    ///< assignments, as in --set
+  std::vector<std::string> cases;  ///< of an arm: the cases that it applies to; empty: all
   bool pressure_alone{};
 };
 
@@ -135,7 +135,7 @@ class TradeoffReader {
                      });
     if (!fit || !node.is_table())
       throw InputError(
-          fmt::format("{}: {}.\"{}\" is no table, or no name for a folder; allowed: [{}.NAME], "
+          fmt::format("{}: {}.\"{}\" is not a table, or not a name for a folder; allowed: [{}.NAME], "
                       "NAME of letters, digits and \"._+-\"",
                       entry.place, kind, entry.name, kind));
     std::size_t pressures = 0;
@@ -172,8 +172,7 @@ class TradeoffReader {
           nearest_key(path.substr(0, dot), dot == path.npos ? "" : path.substr(dot + 1));
       throw InputError(
           fmt::format("{}: unknown key {}.{}.\"{}\" = {}; allowed: keys of the case in quotes, like \"{}\"; "
-                      "seeds are taken "
-                      "from the samples",
+                      "seeds are taken from the samples",
                       place_of(node), kind, name, path, node_text(node),
                       nearest.empty() || path == "mixture.seed" ? "contact.friction" : nearest));
     }
@@ -200,8 +199,8 @@ class TradeoffReader {
       const auto [same, fresh] = known.emplace(resolved_toml(c.arms.back().c), arm.name);
       if (!fresh)
         throw InputError(
-            fmt::format("{}: arms.{} and arms.{} are one and the same case for cases.{}; allowed: "
-                        "one of them (cases = [...] says for which)",
+            fmt::format("{}: arms.{} and arms.{} are one and the same case for cases.{}; allowed: one of "
+                        "them (cases = [...] limits an arm to some cases)",
                         arm.place, same->second, arm.name, c.name));
     }
     if (std::none_of(c.arms.begin(), c.arms.end(), [&](const auto& a) { return a.name == c.reference; }))
@@ -217,7 +216,7 @@ class TradeoffReader {
       Case c = case_in(base_, file_, set);
       if (!c.start.file.empty())
         throw InputError(fmt::format(
-            "start.file = \"{}\" has no seed for several samples; allowed: [mixture]", c.start.file));
+            "start.file = \"{}\" gives the same start for every seed; allowed: [mixture]", c.start.file));
       return c;
     } catch (const InputError& error) {
       throw InputError(

@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A case with the keys of an arm in it.
+/// A case with the settings of an arm.
 struct TradeoffArm {
   std::string name;
   Case c;
@@ -19,20 +19,21 @@ struct TradeoffArm {
 /// Arms that are compared on one case.
 struct TradeoffCase {
   std::string name;
-  std::string reference;  ///< the arm that the others are compared with; one of `arms`
-  int samples = 1;        ///< of each arm: seeds from mixture.seed on
-  double margin{};        ///< of equivalence, in phi
+  std::string reference;  ///< name of the arm, one of `arms`, with which the others are compared
+  int samples = 1;  ///< number of samples of each arm; their seeds are mixture.seed, mixture.seed + 1, ...
+  double margin{};  ///< of equivalence, in phi
   std::vector<TradeoffArm> arms;
   std::vector<std::string> set{};  ///< what makes it, as assignments of --set
 };
 
-/// A file of `furnas bench tradeoff`: a case file whose tables give what all runs share, and besides them
+/// A file of `furnas bench tradeoff`: a case file whose tables hold the settings of all runs, and in addition
 ///
 ///     [tradeoff]                      # samples, margin, reference
 ///     [cases.NAME]                    # keys of the case in quotes; samples, margin, reference of its own
 ///     [arms.NAME]                     # keys in quotes, preset among them; cases = ["NAME", ...]: only these
 ///
-/// in the order of the file. Names are made of letters, digits and "._+-", for they become folders.
+/// in the order of the file. Names consist of letters, digits and "._+-", because they become names of
+/// folders.
 struct TradeoffFile {
   std::vector<TradeoffCase> cases;
 };

@@ -29,7 +29,7 @@ VoxelPlan plan_voxels(const Packing& packing, double edge) {
   plan.grid = voxel_grid(plan.solid, edge);
   const auto plane = static_cast<std::uint64_t>(plan.grid.in_a_plane());
   plan.bytes = plane * static_cast<std::uint64_t>(plan.grid.points[2]);
-  constexpr double buffer = 2e6;  // of the file
+  constexpr double buffer = 2e6;  // bytes that the file buffers
   plan.memory =
       static_cast<double>(plane) + buffer +
       static_cast<double>(plan.solid.spheres.size() * (sizeof(PlacedSphere) + sizeof(PlacedSphere*)));

@@ -122,7 +122,7 @@ void read_positions(VtpReader& file, Packing& packing) {
   }
 }
 
-/// The particle at each place once they stand in the order of their ids; gives the packing these ids.
+/// The particles in the order of their ids; also stores unusual ids in the packing's labels.
 std::vector<std::size_t> order_by_id(VtpReader& file, Packing& packing) {
   std::vector<std::size_t> order(packing.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -134,14 +134,14 @@ std::vector<std::size_t> order_by_id(VtpReader& file, Packing& packing) {
   bool usual = true;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k > 0 && id[order[k]] == id[order[k - 1]])
-      file.fail(fmt::format("the id {} stands twice; each id occurs once", id[order[k]]));
+      file.fail(fmt::format("the id {} occurs twice; each id must occur once", id[order[k]]));
     usual = usual && id[order[k]] == static_cast<std::int64_t>(k) + 1;
   }
   if (!usual) packing.labels.id = std::move(id);
   return order;
 }
 
-/// Puts all that there is of particles into this order.
+/// Puts all arrays of particles into this order.
 void reorder(Packing& p, const std::vector<std::size_t>& order) {
   if (std::is_sorted(order.begin(), order.end())) return;
   const auto put = [&](auto& list) {

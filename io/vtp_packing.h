@@ -22,9 +22,9 @@ void write_contacts_vtp(const Packing& packing, const std::filesystem::path& pat
 /// Writes the twelve edges of the cell as lines. Throws OutputError.
 void write_cell_vtp(const Packing& packing, const std::filesystem::path& path);
 
-/// Reads what write_vtp() writes, also after ParaView has saved it in its default way. Needed are the point
-/// array radius and the field array cell (9 numbers); all other arrays are taken if there, ids in any order.
-/// Throws InputError.
+/// Reads what write_vtp() writes, also after ParaView has saved the file with default settings. Needed are
+/// the point array radius and the field array cell (9 numbers); all other arrays are read if present, ids in
+/// any order. Throws InputError.
 Packing read_vtp(const std::filesystem::path& path);
 
 }  // namespace furnas

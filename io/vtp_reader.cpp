@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// zlib makes no more bytes than this of one.
+/// zlib expands one byte to at most this many.
 constexpr std::uint64_t most_growth = 1032;
 
 template <class T>
@@ -130,7 +130,7 @@ void VtpReader::array_tag(const Attributes& given) {
   const std::string key = section_ + "/" + text(given, "Name", "");
   if (text(given, "format", "") != "appended") fail("the array " + key + " is not appended");
   Array array{text(given, "type", ""), number(given, "NumberOfComponents", 1), number(given, "offset", 0)};
-  if (!arrays_.emplace(key, std::move(array)).second) fail("the array " + key + " stands there twice");
+  if (!arrays_.emplace(key, std::move(array)).second) fail("the array " + key + " occurs twice");
 }
 
 std::vector<double> VtpReader::numbers(const std::string& section, const std::string& name,

@@ -10,11 +10,11 @@
 
 namespace furnas {
 
-/// The arrays of a VTK XML file of poly data whose data are appended raw, as write_poly_data() and ParaView
-/// do; plain or compressed with zlib. All failures are InputErrors that name the file.
+/// The arrays of a VTK XML file of poly data whose data are appended raw, plain or compressed with zlib, as
+/// write_poly_data() and ParaView write them. All failures are InputErrors that name the file.
 ///
-/// Not VTK's reader: that of VTK 9.1 allocates any length that the file announces, and a damaged file can
-/// make it crash. Here no more is allocated than the bytes that are there can make.
+/// VTK's reader is not used: in VTK 9.1 it allocates any length that the file announces, and a damaged file
+/// can make it crash. This reader allocates no more than the bytes of the file can expand to.
 class VtpReader {
  public:
   /// Opens the file and reads which arrays it has.
@@ -37,7 +37,7 @@ class VtpReader {
  private:
   using Attributes = std::map<std::string, std::string, std::less<>>;
 
-  /// Where an array stands and what its numbers are.
+  /// Place and number type of an array.
   struct Array {
     std::string type;
     std::uint64_t components{};

@@ -31,11 +31,11 @@ constexpr std::string_view closing = R"(
 </VTKFile>
 )";
 
-/// Arrays that stand in a tag of their own.
+/// Arrays within one XML tag.
 struct Section {
   std::string_view tag;
   std::vector<DataArray> arrays;
-  std::vector<std::uint64_t> offsets{};  ///< of those that are written, in the appended data
+  std::vector<std::uint64_t> offsets{};  ///< of the written arrays, in the appended data
 };
 
 /// Cells of consecutive points.
@@ -77,7 +77,7 @@ class PolyDataWriter {
               cells("Polys", 0, 0)};
   }
 
-  /// The offsets are known when all arrays are written; then the head is written once more.
+  /// The offsets are known only when all arrays are written; then the head is written a second time.
   void write() {
     file_.write(head());
     const std::uint64_t data_begin = file_.size();
@@ -105,8 +105,8 @@ class PolyDataWriter {
     return text;
   }
 
-  /// Number of blocks, bytes of a block, bytes of the last one if it is shorter, the stored bytes of each,
-  /// and then they.
+  /// Number of blocks, bytes of a block, bytes of the last one if it is shorter, the stored size of each, and
+  /// then the blocks.
   void append(const DataArray& array) {
     const std::size_t in_block = most_in_block / array.element_size;
     const std::size_t blocks = (array.count + in_block - 1) / in_block;
@@ -126,7 +126,7 @@ class PolyDataWriter {
     file_.overwrite(at, stored_sizes);
   }
 
-  /// Compresses `raw_`; answers how many bytes that makes.
+  /// Compresses `raw_`; returns the number of compressed bytes.
   std::uint64_t append_block() {
     uLongf stored = compressBound(raw_.size());
     compressed_.resize(stored);
@@ -139,7 +139,7 @@ class PolyDataWriter {
   }
 
   std::size_t points_, vertices_ = 0, lines_ = 0;
-  std::vector<Section> field_, piece_;  ///< what stands before the one piece, and in it
+  std::vector<Section> field_, piece_;  ///< sections before the only <Piece>, and in it
   std::vector<char> raw_, compressed_;
   AtomicFile file_;
 };

@@ -15,7 +15,7 @@
 
 namespace furnas {
 
-/// The number that an element of an array is made of: itself, or the components of a vector.
+/// The number type of an element of an array: its own type, or that of the components of a vector.
 template <class T>
 T number_in(const T&);
 template <class T>
@@ -29,8 +29,8 @@ constexpr std::string_view vtk_type(std::uint8_t) { return "UInt8"; }
 constexpr std::string_view vtk_type(std::int32_t) { return "Int32"; }
 constexpr std::string_view vtk_type(std::int64_t) { return "Int64"; }
 
-/// An array of a VTP file. Its elements are asked for while the file is written, a block at a time: what
-/// follows from other arrays takes no memory.
+/// An array of a VTP file. Its elements are computed while the file is written, a block at a time, so that
+/// arrays derived from other arrays need no memory.
 struct DataArray {
   std::string_view name;
   std::string_view type;       ///< of its numbers, as VTK names it

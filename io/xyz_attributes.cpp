@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* between_words = " \t";
 
-/// Takes the value that begins at `at` and puts `at` behind it.
+/// Takes the value that begins at `at` and moves `at` past it.
 std::string take_value(const TextReader& reader, const std::string& line, std::size_t& at,
                        const std::string& key) {
   const char open = at < line.size() ? line[at] : ' ';
@@ -44,7 +44,7 @@ XyzAttributes::XyzAttributes(const TextReader& reader) {
   const std::string& line = reader.line();
   for (std::size_t at = 0; (at = line.find_first_not_of(between_words, at)) != std::string::npos;) {
     const std::size_t end = line.find_first_of("= \t", at);
-    // Around "=" there may be blanks.
+    // There may be blanks around "=".
     const std::size_t equals = end == std::string::npos ? end : line.find_first_not_of(between_words, end);
     if (equals == std::string::npos || line[equals] != '=') {  // a word without a value
       at = std::min(end, line.size());
@@ -53,7 +53,7 @@ XyzAttributes::XyzAttributes(const TextReader& reader) {
     const std::string key = line.substr(at, end - at);
     at = std::min(line.find_first_not_of(between_words, equals + 1), line.size());
     if (!values_.emplace(key, take_value(reader, line, at, key)).second)
-      reader.fail(key + " stands twice in the line");
+      reader.fail(key + " occurs twice in the line");
   }
 }
 

@@ -10,15 +10,16 @@ namespace furnas {
 
 /// The pairs key=value of the second line of a frame of extended XYZ.
 ///
-/// A value ends at a blank, or stands in "..", '..', {..} or [..], which may have blanks in it; within quotes
-/// a backslash takes the next character as it is. A word without "=" says nothing.
+/// A value ends at a blank, or is enclosed in "..", '..', {..} or [..] and may then contain blanks. Within
+/// quotes a backslash makes the next character literal. A word without "=" is ignored.
 class XyzAttributes {
  public:
-  /// Those of the reader's line; throws InputError where a quote is not closed or a key stands twice.
+  /// Reads the pairs in the reader's line; throws InputError where a quote is not closed or a key occurs
+  /// twice.
   explicit XyzAttributes(const TextReader& reader);
 
   bool has(const std::string& key) const { return values_.contains(key); }
-  /// The value of the first of the keys that is there; null without one.
+  /// The value of the first of these keys that exists; null if none exists.
   const std::string* first_of(std::initializer_list<const char*> keys) const;
 
  private:

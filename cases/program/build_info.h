@@ -4,12 +4,12 @@
 
 namespace furnas {
 
-/// What this program was built from; CMake writes the values (cases/build_info.cpp.in).
+/// Version, compiler and flags of this build; CMake writes the values (cases/program/build_info.cpp.in).
 struct BuildInfo {
   std::string_view version;
   std::string_view compiler;  ///< name and version
   std::string_view type;      ///< Release, Debug, ...
-  std::string_view flags;     ///< of the compiler, those of the build type included
+  std::string_view flags;     ///< of the compiler, including those of the build type
 };
 
 const BuildInfo& build_info();

@@ -5,13 +5,14 @@
 
 namespace furnas {
 
-/// A case file of cases/, as it stood when the program was built.
+/// A case file of cases/, as it was when the program was built.
 struct CaseTemplate {
   std::string_view file;  ///< its path from cases/, without ".toml"
   std::string_view text;
 };
 
-/// All case files of cases/; CMake writes them into the program, so that they are the only copy.
+/// All case files of cases/. CMake compiles the files themselves into the program, so there is no second copy
+/// to maintain.
 std::span<const CaseTemplate> case_templates();
 
 }  // namespace furnas

@@ -32,8 +32,8 @@ Census census_of_mixture(const Case& c) {
   return n;
 }
 
-/// Of all spheres for which `counts` holds; the smallest or, with `largest`, the largest of them stands for
-/// all.
+/// Adds a kind for all spheres for which `counts` is true. The smallest of them, or with `largest` the
+/// largest, represents all.
 template <class Counts>
 void add_kind(Census& n, const Packing& p, const char* name, bool largest, Counts&& counts) {
   Census::Kind kind{name, 0, 0, INFINITY};
@@ -107,14 +107,13 @@ std::string text_of(const Census& n) {
 }
 
 std::string refusal_of_units(const Census& n, const Case& c) {
-  constexpr double rounding = 1e-3;  // of a file in text
+  constexpr double rounding = 1e-3;  // of numbers in a text file
   if (c.start.file.empty() || std::abs(n.sizes.smallest - 1) < rounding) return {};
   return fmt::format(
       "lengths are in d_s, the diameter of the smallest spheres, and masses in rho d_s^3; the smallest "
       "sphere of "
       "{} has the diameter {:g} and the density {:.6g}. Rescale it: furnas import {} --scale {:.10g} "
-      "--density "
-      "{:.6g} --out start.vtp",
+      "--density {:.6g} --out start.vtp",
       c.start.file, n.sizes.smallest, n.density[0], c.start.file, 1 / n.sizes.smallest, n.density[0]);
 }
 

@@ -11,31 +11,32 @@ namespace furnas {
 
 /// The spheres of a case before it runs.
 struct Census {
-  /// A sphere that stands for others: of a species, or the smallest and the largest of many sizes.
+  /// A sphere that represents others: one for each species, or the smallest and the largest of many sizes.
   struct Kind {
     std::string name;   ///< "large", "small", "largest", "smallest"
-    double count{};     ///< that it stands for
+    double count{};     ///< spheres that it represents
     double diameter{};  ///< [d_s]
-    double mass{};      ///< of the lightest of them [rho d_s^3]
+    double mass{};      ///< of the lightest of these spheres [rho d_s^3]
   };
   std::vector<Kind> kinds;  ///< the smaller one first
   double particles{};
   double volume{};  ///< of the spheres [d_s^3]
   Sizes sizes;      ///< of the spheres
   std::array<double, 2>
-      lightest{};  ///< masses of the two lightest spheres; twice the same of a lone one [rho d_s^3]
+      lightest{};  ///< masses of the two lightest spheres; of a single sphere twice its mass [rho d_s^3]
   std::array<double, 2> density{};  ///< least and largest [rho]
   bool polydisperse{};              ///< one species of many sizes
 };
 
-/// Counts a mixture without building it; reads the file of a start. Throws InputError.
+/// Counts the spheres of a mixture without creating them; of a start.file it reads the file. Throws
+/// InputError.
 Census census_of(const Case& c);
 
-/// Two lines at most that say which spheres there are.
+/// At most two lines that describe the spheres.
 std::string text_of(const Census& census);
 
-/// What is to be said of a start file whose smallest sphere does not have the diameter 1, with the command
-/// that rescales it; empty if there is nothing.
+/// The refusal of a start file whose smallest sphere does not have the diameter 1, with the command that
+/// rescales it; empty if there is nothing to refuse.
 std::string refusal_of_units(const Census& census, const Case& c);
 
 }  // namespace furnas

@@ -11,7 +11,8 @@
 namespace furnas {
 namespace {
 
-/// A check of a number that says what is allowed: CLI11's own names the largest number with all its digits.
+/// A check of a number with a message about the allowed values. CLI11's own message prints the largest number
+/// with all its digits.
 CLI::Validator checked(bool (*holds)(double), const char* allowed) {
   return {[=](std::string& text) {
             const auto number = number_in<double>(text);
@@ -47,8 +48,8 @@ template <class T>
 inline constexpr bool is_real = std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>> ||
                                 std::is_same_v<T, std::vector<double>>;
 
-/// What is wrong with a word where a real number is wanted; nothing if it is finite, or no number, which
-/// CLI11 says.
+/// The error of a word where a real number is needed. Empty if the word is a finite number, and also if it is
+/// not a number, because CLI11 reports that.
 std::string fault_of_real(const std::string& word) {
   const auto number = number_in<double>(word);
   return number && !std::isfinite(*number) ? word + " is not finite" : "";

@@ -13,30 +13,30 @@ class Option;
 
 namespace furnas {
 
-/// An option or argument that has been declared; more can be said of it. Its value is checked while the
+/// A declared option or argument, to which further conditions can be added. They are checked while the
 /// command line is read.
 class Argument {
  public:
   explicit Argument(CLI::Option& option) : option_(&option) {}
 
   Argument required();                                   ///< the command needs it
-  Argument showing_default();                            ///< the help shows the value it has now
+  Argument showing_default();                            ///< the help shows the present value as the default
   Argument separated_by(char letter);                    ///< a list may be one word
   Argument above_zero();                                 ///< a number above zero
   Argument not_negative();                               ///< a number of zero or more
   Argument between(int least, int most);                 ///< a whole number, ends included
   Argument between(double least, double most);           ///< a number, ends included
   Argument one_of(const std::vector<std::string>& all);  ///< one of these words
-  Argument excludes(const Argument& other);              ///< not together with it
-  Argument needs(const Argument& other);                 ///< only together with it
+  Argument excludes(const Argument& other);              ///< not together with the other
+  Argument needs(const Argument& other);                 ///< only together with the other
 
  private:
   CLI::Option* option_;
 };
 
-/// What a command takes from the command line: each option is declared once, with the variable it sets.
+/// Options and arguments of a command; each is declared once, with the variable that it sets.
 ///
-/// The class hides CLI11, whose header alone takes a compiler 7 to 10 seconds, from the commands.
+/// The class hides CLI11 from the commands, because the header of CLI11 takes 7 to 10 seconds to compile.
 class CommandLine {
  public:
   explicit CommandLine(CLI::App& app) : app_(&app) {}
@@ -50,7 +50,7 @@ class CommandLine {
   Argument flag(const std::string& name, bool& value, const std::string& does);
   Argument flag(const std::string& name, std::function<void()> then, const std::string& does);
 
-  /// A command below this one; one of them has to be given.
+  /// A subcommand of this command; one of the subcommands must be given.
   CommandLine subcommand(const std::string& name, const std::string& does);
 
   /// Whether the command was given, once the command line has been read.

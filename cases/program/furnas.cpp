@@ -42,13 +42,13 @@ FURNAS_COMMANDS(FURNAS_DECLARE)
 #undef FURNAS_DECLARE
 }  // namespace furnas
 
-/// Libraries that ask for memory where they may not throw, as in destructors, end here when they get none.
+/// Called when a library gets no memory in a function that must not throw, such as a destructor.
 [[noreturn]] void ended_by_a_library() {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
     constexpr std::string_view sentence =
-        "furnas: out of memory, in the middle of a file; resume goes on from the last checkpoint\n";
+        "furnas: out of memory, in the middle of a file; resume continues from the last checkpoint\n";
     (void)!::write(STDERR_FILENO, sentence.data(), sentence.size());
     ::_exit(static_cast<int>(furnas::ExitCode::out_of_memory));
   } catch (...) {
@@ -56,8 +56,8 @@ FURNAS_COMMANDS(FURNAS_DECLARE)
   std::abort();
 }
 
-/// Arrays of a megabyte and more go back to the system when they are freed. Left to itself malloc keeps the
-/// holes of all up to 32 MB, so that a run needs a quarter more, by an amount that nobody can foretell.
+/// Makes malloc return freed arrays of a megabyte or more to the system. By default malloc keeps freed arrays
+/// of up to 32 MB, so that a run needs about a quarter more memory, by an amount that cannot be predicted.
 void give_back_what_is_freed() {
   constexpr int large = 1 << 20;
   ::mallopt(M_MMAP_THRESHOLD, large);
@@ -67,7 +67,8 @@ void give_back_what_is_freed() {
 int main(int count, char** values) {
   give_back_what_is_freed();
   std::set_terminate(ended_by_a_library);
-  // SIGUSR1 asks a run to save; before a run begins, and after it has ended, the signal must not kill.
+  // SIGUSR1 requests a checkpoint of a run. Before a run begins and after it has ended, the signal must not
+  // end the program.
   std::signal(SIGUSR1, SIG_IGN);
 #define FURNAS_CALL(verb) furnas::verb##_command(),
   const std::vector<furnas::Command> commands = {FURNAS_COMMANDS(FURNAS_CALL)};

@@ -17,13 +17,13 @@
 namespace furnas {
 namespace {
 
-/// Names of history.csv that LAMMPS can tell, and how: after "equal" in its variable.
+/// Columns of history.csv that LAMMPS can compute, and the formula after "equal" in the LAMMPS variable.
 struct Measure {
   const char* name;
   const char* of_lammps;
 };
 
-/// Energies of LAMMPS are per particle, too (units lj), but that of the spins is a sum.
+/// Energies of LAMMPS are per particle, too (units lj), but the energy of the spins is a sum.
 constexpr Measure measures[] = {{"Step", "step"},
                                 {"Time", "time"},
                                 {"Phi", "${spheres}/vol"},
@@ -48,8 +48,8 @@ constexpr Measure measures[] = {{"Step", "step"},
 constexpr const char* dumped =
     "id type radius mass xu yu zu vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz";
 
-/// One variable for each column, a table of them on the screen and as history.csv. Whatever a variable asks
-/// for must be on the screen, too: so `ke`.
+/// Defines a variable for each column, and prints them as a table on the screen and to history.csv. LAMMPS
+/// requires every quantity that a variable uses to be printed on the screen, therefore `ke`.
 std::string lines_of_history() {
   std::string variables, names, values, columns;
   for (const Measure& m : measures) {
@@ -77,10 +77,10 @@ bool has_two_sizes(const Packing& packing) {
 
 std::string deck_of(const Packing& packing, const Model& model, const std::string& source) {
   const bool two = has_two_sizes(packing);
-  return fmt::format(R"(# Goes on with the compaction of {}; written by furnas. README tells more.
-variable steps index 100000   # to do
-variable every index 1000     # between rows of history.csv
-variable save index 10000     # between two of packing.dump
+  return fmt::format(R"(# Continues the compaction of {}; written by furnas. See README.
+variable steps index 100000   # steps of this run
+variable every index 1000     # steps between rows of history.csv
+variable save index 10000     # steps between two writes of packing.dump
 units lj
 atom_style sphere
 boundary p p p
@@ -105,23 +105,25 @@ variable spheres equal {}
                      lammps_bath(packing, model), packing.sphere_volume(), lines_of_history(), dumped);
 }
 
-/// What the run has that LAMMPS does not.
+/// Properties of the run that LAMMPS does not have.
 std::string lost(const Case& c) {
   std::string text = "the histories of the contacts, the rate of the cell";
   if (c.contact.law != "hooke_history" && c.contact.friction > 0)
     text += fmt::format(", the law {} (LAMMPS has hooke_history)", c.contact.law);
-  if (!c.contact.winding && c.contact.friction > 0) text += ", springs that end where they slide";
-  if (c.contact.velocity == "total") text += ", contacts that feel the flow of the cell";
-  return text + " and the verdict: LAMMPS takes its steps, at rest or not";
+  if (!c.contact.winding && c.contact.friction > 0) text += ", springs that do not exceed Coulomb's limit";
+  if (c.contact.velocity == "total") text += ", contact velocities that include the flow of the cell";
+  return text +
+         " and the verdict: LAMMPS takes the given number of steps, whether the packing is at rest or not";
 }
 
 std::string readme(const Packing& packing, const Case& c, const std::string& source) {
   return fmt::format(
-      "{} spheres of {}, for LAMMPS to go on with: mpirun -np 16 lmp -in in.furnas -var steps 100000\n"
-      "Back: furnas import packing.dump says what LAMMPS has left, and furnas run back.toml goes on with it "
-      "to "
-      "its verdict; history.csv has the columns of furnas that LAMMPS knows.\n"
-      "LAMMPS cannot take along: {}.\n",
+      "{} spheres of {}, a compaction for LAMMPS to continue: mpirun -np 16 lmp -in in.furnas -var steps "
+      "100000\n"
+      "To come back, furnas import packing.dump describes the packing that LAMMPS wrote, and furnas run "
+      "back.toml continues it to its verdict; history.csv has the columns of furnas that LAMMPS can "
+      "compute.\n"
+      "Lost in LAMMPS: {}.\n",
       packing.size(), source, lost(c));
 }
 
@@ -136,8 +138,8 @@ std::string lammps_law(const Model& model) {
                      c.normal_damping, c.tangential_damping, c.friction, attraction);
 }
 
-/// The inertia of LAMMPS is W = (N + 1) T Pdamp^2. Twice a step its rate is multiplied by
-/// 1 - dt drag/Pdamp.
+/// In LAMMPS the inertia of the cell is W = (N + 1) T Pdamp^2. Twice per step, LAMMPS multiplies the rate of
+/// the cell by 1 - dt drag/Pdamp.
 std::string lammps_bath(const Packing& packing, const Model& model) {
   const Barostat& b = model.barostat;
   if (b.freedom == CellFreedom::fixed) return "fix 1 all nve/sphere";

@@ -1,4 +1,4 @@
-// The program's own operator new, which all arrays of the standard library ask.
+// The program's own operator new, which all arrays of the standard library use.
 
 #ifndef __SANITIZE_ADDRESS__
 
@@ -12,15 +12,15 @@ namespace {
 constexpr std::size_t page = std::size_t{2} << 20;
 
 /// Memory, null if there is none. An array that fills pages of two megabytes is placed on such pages, where
-/// the system gives them when asked (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step looks
-/// up partners all over its arrays, and with pages of 4 kB the processor spends a fifth of its time on
-/// finding where they are. The last page is a large one only if it is well filled, so that little is wasted.
+/// the system gives them on request (`madvise` in /sys/kernel/mm/transparent_hugepage/enabled): a step
+/// accesses partners all over its arrays, and with pages of 4 kB the processor spends a fifth of its time on
+/// address translation. The last page is a large one only if it is well filled, so that little is wasted.
 void* allocate(std::size_t size) {
   const std::size_t all = (size + page - 1) / page * page;
   const std::size_t large = all - size < size / 4 ? all : size / page * page;
   if (large == 0) return std::malloc(size);
   void* const memory = std::aligned_alloc(page, all);
-  if (memory != nullptr) ::madvise(memory, large, MADV_HUGEPAGE);  // a wish; it may be refused
+  if (memory != nullptr) ::madvise(memory, large, MADV_HUGEPAGE);  // a request; the system may refuse it
   return memory;
 }
 

@@ -15,7 +15,7 @@ void lower(MemoryLimit& limit, double bytes, const char* source) {
   if (bytes > 0 && bytes < limit.bytes) limit = {bytes, source};
 }
 
-/// The folders of the control groups of this process, with the name of the file that holds a limit.
+/// The folders of the control groups of this process, with the name of the file that contains a limit.
 std::vector<fs::path> limit_files(const fs::path& root) {
   const fs::path groups = root / "sys/fs/cgroup";
   std::vector<fs::path> files;
@@ -28,7 +28,8 @@ std::vector<fs::path> limit_files(const fs::path& root) {
     const bool unified = controllers.empty();
     if (!unified && controllers != "memory") continue;
     const fs::path top = unified ? groups : groups / "memory";
-    // Every group above limits it, too. Within a container the path may not be there; then the top counts.
+    // Every group above limits this process, too. Within a container the path may not exist; then the top
+    // group is used.
     fs::path group = top / fs::path(line.substr(second + 1)).relative_path();
     for (;; group = group.parent_path()) {
       files.push_back(group / (unified ? "memory.max" : "memory.limit_in_bytes"));
@@ -46,7 +47,7 @@ MemoryLimit memory_limit(const fs::path& root) {
       "this machine has"};
   for (const fs::path& file : limit_files(root)) {
     double bytes = 0;
-    std::ifstream(file) >> bytes;  // the word "max" leaves 0: no limit
+    std::ifstream(file) >> bytes;  // the word "max" is read as 0: no limit
     lower(limit, bytes, "its control group allows");
   }
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {

@@ -5,14 +5,14 @@
 
 namespace furnas {
 
-/// The most memory that this process may have, and who says so.
+/// The most memory that this process may have, and the source of this limit.
 struct MemoryLimit {
   double bytes{};
-  std::string source;  ///< completes "... has 8 GB": "this machine has"
+  std::string source;  ///< words before the number, such as "this machine has" before "8 GB"
 };
 
-/// The least of what the machine has, what its control groups allow (either version) and what the shell has
-/// set with ulimit. `root` stands for "/", for tests.
+/// The smallest of three limits: the memory of the machine, the limit of the process's control groups
+/// (version 1 or 2), and the limit set with ulimit. Tests replace "/" by another `root`.
 MemoryLimit memory_limit(const std::filesystem::path& root = "/");
 
 }  // namespace furnas

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::string_view introduction = R"(# What the files hold
 
-Every field of `result.json`, every column of the tables, every array of the files of a packing. Lengths are in d_s (diameter of a small
+This page lists every field of `result.json`, every column of the tables and every array of the files of a packing. Lengths are in d_s (diameter of a small
 sphere), masses in rho d_s^3, forces in k_n d_s, so time is in (rho d_s^3/k_n)^(1/2), stress in k_n/d_s and energy in k_n d_s^2; an empty unit is
-a pure number or a word. "Of what" says what a number is counted over: *total* of the whole packing or sample, *per particle*, a *share*.
-A half width is half of a 95 % interval (Student's t): the mean lies within +- that. An empty cell, or null, is not known.
+a pure number or a word. "Of what" names what a number is counted over: *total* of the whole packing or sample, *per particle*, a *share*.
+A half width is half of a 95 % interval (Student's t): the mean lies within +- that. An empty cell, or null, is a value that is not known.
 
 This page is written by `furnas schema --outputs`, from the tables that write the files.
 )";
@@ -38,7 +38,7 @@ class Page {
   const std::string& text() const { return text_; }
 
  private:
-  /// A bar would end the cell.
+  /// Escapes "|", which would end the cell of the table.
   static std::string in_cell(std::string_view text) {
     std::string cell;
     for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -49,8 +49,9 @@ class Page {
 };
 
 void add_run(Page& page) {
-  page.section("result.json",
-               "What a run found. A name with a dot stands in an object: `stress.xx` is `xx` in `stress`.");
+  page.section(
+      "result.json",
+      "The result of a run. A name with a dot is a field within an object: `stress.xx` is `xx` in `stress`.");
   for (const ResultField& field : result_fields()) {
     page.row(field.about);
     const std::string list(field.about.name);
@@ -62,13 +63,14 @@ void add_run(Page& page) {
         page.row(fmt::format("{}[].{}", list, entry.about.name), entry.about);
   }
   page.section("history.csv",
-               "A row each `output.history_every` steps; names are those of LAMMPS where it has one.");
+               "A row every `output.history_every` steps; the names of columns are those of LAMMPS where "
+               "LAMMPS has one.");
   for (const OutputField& field : history_fields()) page.row(field);
 }
 
 void add_packing(Page& page) {
   page.section("packing.vtp",
-               "The spheres, for ParaView, a point each at its centre [d_s], within the cell.");
+               "The spheres, for ParaView; each is a point at its centre [d_s], within the cell.");
   const auto place = [](const VtpField& field) {
     return fmt::format("{}: {}",
                        field.place == VtpField::Place::field   ? "FieldData"
@@ -79,14 +81,15 @@ void add_packing(Page& page) {
   for (const VtpField& field : packing_vtp_fields()) page.row(place(field), field.about);
   page.section(
       "contacts.vtp",
-      "The contacts, a line each: from the centre of i to the centre of the image of j that i touches "
+      "The contacts, for ParaView; each is a line from the centre of i to the centre of the image of j that "
+      "i touches "
       "[d_s], which may lie outside the cell. `cell.vtp` has the twelve edges of the cell and no arrays.");
   for (const VtpField& field : contacts_vtp_fields()) page.row(place(field), field.about);
   page.section(
       "packing.extxyz",
       "The spheres, for OVITO and scripts. The second line has `Lattice` (the edges of the cell, one "
       "after the other) [d_s], `Origin` (its corner), `Step` and `Time`; where the start file numbers its "
-      "types, `species_type` stands behind `species_name`.");
+      "types, `species_type` follows `species_name`.");
   for (const OutputField& field : extended_xyz_fields()) page.row(field);
   page.section("packing.csv", "The spheres as `furnas export FOLDER csv` writes them.");
   for (const OutputField& field : packing_csv_fields()) page.row(field);
@@ -100,16 +103,16 @@ void add_sweep(Page& page) {
   for (const SampleColumn& column : sample_columns()) page.row(column.about);
   page.section("points.csv",
                fmt::format("A row for each point of a sweep: means of its jammed and settled samples. {} "
-                           "Rattlers are shares here and numbers in `sweep.csv`.",
+                           "Rattlers are shares here, but numbers in `sweep.csv`.",
                            keys));
   for (const PointColumn& column : point_columns()) {
     page.row(column.about);
     if (column.mean != nullptr)
       page.row(name_of_half_width(column),
                {"", column.about.unit, "mean of the samples",
-                column.about.name == "phi_J" ? "half of its 95 % interval, and the mean of the bounds of "
-                                               "settled samples on top; empty of one sample"
-                                             : "half of its 95 % interval; empty of one sample"});
+                column.about.name == "phi_J" ? "half of its 95 % interval, plus the mean of the bounds of "
+                                               "settled samples; empty for a single sample"
+                                             : "half of its 95 % interval; empty for a single sample"});
   }
 }
 

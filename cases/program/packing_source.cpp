@@ -50,13 +50,13 @@ void add_packing_source(CommandLine& app, std::string& name, std::optional<std::
 
 void add_frame(CommandLine& app, std::optional<std::int64_t>& frame) {
   app.add("--frame", frame,
-          "of a file with several frames (LAMMPS dump, extended XYZ), from 1; default: the last")
+          "number of the frame in a file with several (LAMMPS dump, extended XYZ), from 1; default: the last")
       .between(1, std::numeric_limits<int>::max());
 }
 
 void remark_on_losses(const Packing& packing, std::string_view format, std::ostream& out) {
   if (const std::string lost = lost_in(packing, format); !lost.empty())
-    out << "furnas: " << format << " has no place for " << lost << ": left out\n";
+    out << "furnas: " << format << " cannot store " << lost << ": left out\n";
 }
 
 fs::path folder_about(const std::string& folder_or_file, const std::string& wanted) {
@@ -84,7 +84,7 @@ Packing packing_from(const std::string& name) { return packing_source(name).pack
 Packing with_overlaps_as_contacts(const Packing& packing) {
   Packing resting = packing;
   resting.cell.rate = {};
-  resting.order.clear();  // so that the forces are taken from the positions
+  resting.order.clear();  // so that the forces are computed from the positions
   Model model;
   model.law = Frictionless<false>{{.normal_damping = 0}};
   model.barostat.freedom = CellFreedom::fixed;

@@ -29,7 +29,7 @@ std::int64_t largest_below(std::int64_t tried, Fits&& fits) {
   return low;
 }
 
-/// What would fit instead.
+/// A suggestion that would fit into the memory.
 std::string smaller(double particles, const MemoryLimit& limit, const Case& c) {
   Case changed = c;
   changed.output.picture = "none";
@@ -61,7 +61,7 @@ double steps_of_window(const Case& c, double smallest) {
   return c.stop.window / relative_time_step(protocol_of(c), smallest);
 }
 
-/// What chose the time step.
+/// The origin of the time step: a key, or the rule of the automatic choice.
 std::string choice_of_step(const Case& c) {
   if (c.compaction.time_step_absolute) return "compaction.time_step_absolute";
   if (c.compaction.time_step) return "compaction.time_step";
@@ -69,22 +69,21 @@ std::string choice_of_step(const Case& c) {
                                 : "auto: a tenth of a collision of two small spheres";
 }
 
-/// A run that cannot come to rest, or not within a lifetime.
+/// Refuses a run that cannot come to rest, or only after decades.
 std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
-  if (c.compaction.cell == "fixed") return {};  // ends with its steps and is meant to
+  if (c.compaction.cell == "fixed") return {};  // such a run is meant to end with its steps
   if (c.contact.normal_damping == 0 && c.contact.friction == 0 &&
       c.compaction.drag.value_or(c.compaction.cell_damping) == 0)
     return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and "
-           "compaction.cell_damping = 0, so "
-           "that the packing never comes to rest; give one of them a value, or take compaction.cell = "
-           "\"fixed\"";
+           "compaction.cell_damping = 0, so that the packing never comes to rest; give one of them a value, "
+           "or take compaction.cell = \"fixed\"";
   constexpr double longest = 30 * 365.25 * 86400;  // [s]
   const double window = steps_of_window(c, smallest);
   const double shortest = seconds_a_step * std::min(window, static_cast<double>(c.stop.steps));
   if (shortest > longest)
     return fmt::format(
-        "one window of stop.window = {} t_c takes about {:.0f} years; take a shorter window or "
-        "fewer particles",
+        "one window of stop.window = {} t_c takes about {:.0f} years; take a shorter window or fewer "
+        "particles",
         c.stop.window, shortest / (365.25 * 86400));
   return {};
 }
@@ -93,7 +92,7 @@ Touch<double> pair_of(const Census::Kind& a, const Census::Kind& b) {
   return resting_touch(a.diameter / 2, b.diameter / 2, reduced_mass(a.mass, b.mass), 0);
 }
 
-/// The pair of the two lightest spheres, which swings fastest.
+/// The pair of the two lightest spheres, which oscillates fastest.
 Touch<double> lightest_pair(const Census& n) {
   const double radius = n.sizes.smallest / 2;
   return resting_touch(radius, radius, reduced_mass(n.lightest[0], n.lightest[1]), 0);
@@ -115,8 +114,8 @@ std::string pairs_report(const Census& n, const AnyLaw& law) {
   return text;
 }
 
-/// A time step at which the two lightest spheres are unstable: it was chosen, or found allowed, for those of
-/// density 1.
+/// Refuses a time step at which the two lightest spheres are unstable. The automatic choice and the range of
+/// allowed time steps assume the density 1.
 std::string refusal_of_step(const Census& n, double dt, const AnyLaw& law) {
   const double limit = largest_stable_step(law, lightest_pair(n));
   if (dt < limit) return {};
@@ -126,14 +125,14 @@ std::string refusal_of_step(const Census& n, double dt, const AnyLaw& law) {
       dt, n.lightest[0], n.lightest[1], limit);
 }
 
-/// What one d_s is in the unit of the case's list of diameters; empty without one.
+/// A line with 1 d_s in the unit of the case's list of diameters; empty without a list.
 std::string unit_of_list(const Case& c) {
   if (c.mixture.diameters.empty()) return {};
   return fmt::format("1 d_s is {:g}, the smallest diameter in {}", read_diameters(c.mixture.diameters).unit,
                      c.mixture.diameters);
 }
 
-/// A size ratio that nothing has, since a mixture without small spheres is one of equal spheres.
+/// A remark on a size ratio without effect: in a mixture without small spheres all spheres are equal.
 std::string remark_on_size_ratio(const Case& c) {
   if (c.mixture.size_ratio == 1 || c.mixture.small_fraction > 0) return {};
   return fmt::format(
@@ -145,10 +144,10 @@ std::string remark_on_size_ratio(const Case& c) {
 }  // namespace
 
 double expected_memory(double particles, const Case& c) {
-  // Measured peaks, docs/results/performance.md: that of a look at the running packing, that of the picture
-  // after it.
+  // Measured peaks, docs/results/performance.md: one while measures of the running packing are computed, one
+  // while the final picture is drawn.
   constexpr double program = 36e6, renderer = 126e6, pixel = 89, drawn_particle = 420;
-  // Contacts a particle, of equal spheres at rest; within 0.1 of those of docs/results/verification.md.
+  // Contacts per particle of equal spheres at rest; within 0.1 of the values in docs/results/verification.md.
   const double contacts = 1.95 + 1.05 * std::exp(-c.contact.friction / 0.15);
   const double particle = (c.compute.precision == "double" ? 632 : 412) + 160 * contacts;
   const double running = program + particles * particle;
@@ -177,7 +176,7 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   out.report += fmt::format(
       "cell      about {:.1f} largest diameters thick when dense{}{}\n", diameters,
       remark_on_thickness(diameters),
-      diameters < 2.1 ? ", and spheres meet several images of each other: slower, still right" : "");
+      diameters < 2.1 ? ", and spheres touch several images of each other: slower, but still correct" : "");
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles, c) / 1e9);
   const int threads =
       c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles));

@@ -7,20 +7,21 @@
 
 namespace furnas {
 
-/// What can be said of a case before it runs.
+/// Estimates and checks of a case before it runs.
 struct Preflight {
-  std::string report;   ///< lines for a person
-  std::string refusal;  ///< why it must not run; empty if it may
-  std::string remark;   ///< what a run should say first; in the report, too; empty if there is nothing
+  std::string report;   ///< lines for the user
+  std::string refusal;  ///< why the case must not run; empty if it may
+  std::string remark;   ///< a remark that a run prints first, also part of the report; may be empty
 };
 
-/// Works out sizes, time scales, memory and expected time of a case without building its packing.
+/// Computes sizes, time scales, memory and expected time of a case without creating its packing.
 Preflight check_case(const Case& c, const MemoryLimit& limit = memory_limit());
 
-/// Particle-steps a second that one core makes, about (docs/results/performance.md: 16e6 of equal spheres).
+/// Approximate number of particle-steps per second on one core (docs/results/performance.md: 16e6 for equal
+/// spheres).
 inline constexpr double pace_of_a_core = 1.5e7;
 
-/// Memory of a run of so many particles at its peak, once they touch, in bytes.
+/// Peak memory of a run with this number of particles, in bytes, reached when the particles are in contact.
 double expected_memory(double particles, const Case& c);
 
 }  // namespace furnas

@@ -19,7 +19,7 @@
 namespace furnas {
 namespace {
 
-/// Messages of a library may span lines; a shell user gets one.
+/// Messages of a library may have several lines; the user gets one line.
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -31,7 +31,7 @@ ExitCode complain(Console console, ExitCode code, const std::string& what) {
   return code;
 }
 
-/// Help and version are no mistakes; a wrong option or argument is one, of the user's.
+/// Requests for help and version end with the code 0; a wrong option or argument is an error of the user.
 ExitCode answer(const CLI::App& app, const CLI::ParseError& error, Console console) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     app.exit(error, console.out, console.err);
@@ -43,7 +43,7 @@ ExitCode answer(const CLI::App& app, const CLI::ParseError& error, Console conso
                   fmt::format("{}; see {} --help", one_line(error.what()), asked));
 }
 
-/// CLI11 would only say that some command is missing.
+/// Names an unknown command; CLI11 would only report that a command is missing.
 std::optional<std::string> unknown_command(std::span<const Command> commands,
                                            const std::vector<std::string>& arguments) {
   std::string known;
@@ -56,7 +56,7 @@ std::optional<std::string> unknown_command(std::span<const Command> commands,
   return fmt::format("{} is no command; allowed: {}; see furnas --help", arguments.front(), known);
 }
 
-/// What the exit codes mean, for the help.
+/// The meaning of the exit codes, for the help text.
 constexpr const char* exit_codes =
     "Exit codes:\n"
     "  0    done; of run and resume: jammed\n"
@@ -64,16 +64,16 @@ constexpr const char* exit_codes =
     "  2    the case, an option or a path cannot be used\n"
     "  3    refused, because the case would fail\n"
     "  4    a part of the certificate failed\n"
-    "  5    steps or wall time are spent; resume goes on (sweep: of some samples)\n"
-    "  6    the packing diverged; the last good state is saved\n"
+    "  5    steps or wall time are spent; resume continues (sweep: of some samples)\n"
+    "  6    the packing diverged; the last sound state is saved\n"
     "  7    a file cannot be written; the last checkpoint is good\n"
     "  8    another run works in the folder\n"
     "  9    out of memory; the last checkpoint is good\n"
     "  10   of a sweep: some or all samples failed or diverged\n"
     "  11   of a sweep: the wall time is spent, and samples are left\n"
-    "  130  stopped by a signal, and saved; resume goes on\n";
+    "  130  stopped by a signal, and saved; resume continues\n";
 
-/// Whether all that was printed has arrived, on a disk that may be full.
+/// Checks that all output was written; the disk may be full.
 ExitCode printed(ExitCode code, Console console) {
   if (console.out.flush() || code != ExitCode::done) return code;
   return complain(console, ExitCode::output_failed, "cannot write to the standard output");
@@ -93,7 +93,7 @@ ExitCode run_guarded(const Command& command, Console console) {
       return complain(console, ExitCode::out_of_memory, "out of memory");
     return complain(console, ExitCode::output_failed, error.what());
   } catch (const std::system_error& error) {
-    // So the system says that it has no memory, or no number, left for another thread.
+    // The system reports with this error that it has no memory or no number left for another thread.
     if (error.code() == std::errc::resource_unavailable_try_again)
       return complain(console, ExitCode::out_of_memory, "out of memory, or of threads");
     return complain(console, ExitCode::internal_error, fmt::format("internal error: {}", error.what()));
@@ -115,7 +115,7 @@ ExitCode run_program(std::span<const Command> commands, std::vector<std::string>
   app.set_version_flag("--version", fmt::format("furnas {}", build_info().version));
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.footer(fmt::format("furnas COMMAND --help tells more about a command.\n\n{}", exit_codes));
+  app.footer(fmt::format("furnas COMMAND --help describes a command.\n\n{}", exit_codes));
 
   const Command* chosen = nullptr;
   for (const Command& command : commands) {

@@ -13,8 +13,8 @@
 namespace furnas {
 namespace {
 
-/// The case of the larger packing: an inertia of the cell that is given itself grows as M L^2. [mixture]
-/// stays that of the packing that is repeated.
+/// The case of the larger packing. If the case gives the absolute inertia of the cell, it is scaled with M
+/// L^2. [mixture] stays that of the original packing.
 Case replicated(Case c, const Times& times) {
   if (c.compaction.inertia_absolute) *c.compaction.inertia_absolute *= std::pow(copies_of(times), 5.0 / 3);
   return c;
@@ -42,7 +42,8 @@ std::string text_of(const Times& times) { return fmt::format("{}", fmt::join(tim
 
 void write_replicate(const PackingSource& source, const Times& times, const std::filesystem::path& file) {
   const bool whole = file.extension() == ".checkpoint";
-  const std::string_view format = whole ? "" : format_by_extension(file);  // refused before the work
+  const std::string_view format =
+      whole ? "" : format_by_extension(file);  // an unknown extension is refused before the work
   if (!whole) return write_packing(replicate(source.packing, times), format, file);
   const Replica replica(source.packing, times);
   const std::string case_text = source.of_case ? resolved_toml(replicated(*source.of_case, times)) : "";

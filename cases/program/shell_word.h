@@ -4,7 +4,7 @@
 
 namespace furnas {
 
-/// A text as one word of a shell.
+/// A text quoted as one word of a shell command.
 inline std::string shell_word(const std::string& text) {
   const bool plain = !text.empty() && text.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyz"

@@ -5,7 +5,7 @@
 
 namespace furnas {
 
-/// Rows of text under names, for a person and for a program.
+/// A table of text with named columns, to print for a reader or to write as CSV.
 class Table {
  public:
   explicit Table(std::vector<std::string> names) : names_(std::move(names)) {}
@@ -24,7 +24,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The middle of some measurements and how far they reach.
+/// Median and range of some measurements.
 struct Spread {
   double median{}, low{}, high{};
 };

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using testing::Contains;
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -193,7 +193,7 @@ TEST(Certify, SaysWhatItCannotUse) {
   EXPECT_EQ(answer.code, ExitCode::bad_case);
   EXPECT_THAT(answer.err, HasSubstr("cannot be made"));
   write_packing(packing.packing(), "vtp", runs.path("a.vtp"));
-  EXPECT_THAT(furnas({"certify", runs.path("a.vtp")}).err, HasSubstr("it holds no case"));
+  EXPECT_THAT(furnas({"certify", runs.path("a.vtp")}).err, HasSubstr("it contains no case"));
 }
 
 TEST(Certify, SaysThatAFileHasNoHistories) {
@@ -207,7 +207,8 @@ TEST(Certify, SaysThatAFileHasNoHistories) {
     return furnas(words).out;
   };
   const std::string said = "the file has no tangential histories";
-  EXPECT_THAT(with_friction("0.3"), AllOf(HasSubstr(said), HasSubstr("this says nothing about the packing")));
+  EXPECT_THAT(with_friction("0.3"),
+              AllOf(HasSubstr(said), HasSubstr("this result says nothing about the packing")));
   EXPECT_THAT(with_friction("0"), Not(HasSubstr(said)));
   EXPECT_THAT(packing.certify().out, Not(HasSubstr(said)));
 }

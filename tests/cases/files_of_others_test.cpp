@@ -73,7 +73,7 @@ TEST(FilesOfOthers, ATrajectoryGivesItsLastFrameOrTheOneAskedFor) {
   EXPECT_EQ(edge({}), 8);
   EXPECT_EQ(edge({"--frame", "1"}), 4);
   EXPECT_THAT(furnas({"import", runs.path("t.xyz"), "--frame", "3"}).err, HasSubstr("allowed: 1 to 2"));
-  EXPECT_THAT(furnas({"import", runs.path("t.data"), "--frame", "2"}).err, HasSubstr("holds one packing"));
+  EXPECT_THAT(furnas({"import", runs.path("t.data"), "--frame", "2"}).err, HasSubstr("contains one packing"));
   write_file(runs.path("t.xyz"), frame_of(4, "C 1 3 1 0.25\n"));
   const Answer surplus = furnas({"import", runs.path("t.xyz")});
   EXPECT_EQ(surplus.code, ExitCode::bad_case);
@@ -100,7 +100,7 @@ TEST(FilesOfOthers, WhatAFormatCannotHoldIsSaid) {
   const Runs runs;
   ASSERT_EQ(runs.run("a", {"stop.steps=3000"}).code, ExitCode::budget_spent);
   const Answer data = furnas({"export", runs.path("a"), "lammps-data", "--out", runs.path("a.data")});
-  EXPECT_THAT(data.err, AllOf(HasSubstr("lammps-data has no place for the time, forces"),
+  EXPECT_THAT(data.err, AllOf(HasSubstr("lammps-data cannot store the time, forces"),
                               HasSubstr("contacts with their histories")));
   const Answer back = furnas({"import", runs.path("a.data"), "--out", runs.path("b.lammpstrj")});
   EXPECT_EQ(back.err, "") << "nothing more is lost";

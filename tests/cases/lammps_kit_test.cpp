@@ -70,7 +70,7 @@ TEST(LammpsKits, HaveTheLawTheBathAndTheColumnsOfTheRun) {
   const std::string readme = content(kit + "/README");
   EXPECT_EQ(std::count(readme.begin(), readme.end(), '\n'), 3);
   EXPECT_THAT(readme, HasSubstr("mpirun -np 16 lmp -in in.furnas"));
-  EXPECT_THAT(readme, HasSubstr("cannot take along: the histories of the contacts"));
+  EXPECT_THAT(readme, HasSubstr("Lost in LAMMPS: the histories of the contacts"));
   EXPECT_THAT(content(kit + "/back.toml"), HasSubstr("file = \"packing.dump\""));
 }
 
@@ -79,7 +79,7 @@ TEST(LammpsKits, NeedTheCaseOfTheRun) {
   write_file(runs.path("lone.data"), content(test_data("a3.data")));
   const Answer answer = furnas({"export", runs.path("lone.data"), "lammps", "--out", runs.path("kit")});
   EXPECT_EQ(answer.code, ExitCode::bad_case);
-  EXPECT_THAT(answer.err, HasSubstr("no case in it"));
+  EXPECT_THAT(answer.err, HasSubstr("contains no case"));
 }
 
 TEST(LammpsKits, NameTheBathOfEachKindOfCell) {

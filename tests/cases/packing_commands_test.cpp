@@ -71,8 +71,9 @@ TEST(PackingCommands, NameTheFormatsThatTheyKnow) {
   const Wrong table[] = {
       {{"export", runs.path("a.vtp"), "pdb"}, "'pdb' is no format to write; allowed are lammps-data"},
       {{"export", runs.path("none"), "vtp"}, "none"},
-      {{"import", runs.path("a.txt")}, "neither its content nor its extension tells the format"},
-      {{"import", runs.path("a.vtp"), "--out", runs.path("b.pdb")}, "its extension tells no format to write"},
+      {{"import", runs.path("a.txt")}, "neither its content nor its extension determines the format"},
+      {{"import", runs.path("a.vtp"), "--out", runs.path("b.pdb")},
+       "its extension belongs to no format that can be written"},
       {{"import", runs.path("none.vtp")}, "none.vtp"},
       {{"render", runs.path("a.txt"), "--out", runs.path("a.png")}, "neither its content nor its extension"},
       {{"render", runs.path("a.vtp"), "--size", "3"}, "--size"},

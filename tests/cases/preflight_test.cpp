@@ -61,7 +61,7 @@ TEST(Preflight, SaysWhatChoseTheStep) {
 
 TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
   const char* const thin = "too thin to stand for a large packing";
-  const char* const images = "spheres meet several images of each other";
+  const char* const images = "spheres touch several images of each other";
   Case c;
   c.mixture.large = 5;
   EXPECT_THAT(check_case(c).report, AllOf(HasSubstr(thin), HasSubstr(images)));

@@ -125,7 +125,7 @@ TEST(ReliableSplitRun, FilesThatAreAheadAreCutBack) {
   write_file(runs.path("back/" + newest.file), bytes);
   const Answer answer = runs.resume("back", {"--steps", "300"});
   ASSERT_EQ(answer.code, ExitCode::budget_spent);
-  EXPECT_THAT(answer.err, testing::HasSubstr("going on from the older checkpoint"));
+  EXPECT_THAT(answer.err, testing::HasSubstr("continuing from the older checkpoint"));
   EXPECT_EQ(difference(runs.path("whole"), runs.path("back")), "");
 }
 

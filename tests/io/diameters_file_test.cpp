@@ -35,7 +35,7 @@ TEST(DiametersFile, NamesTheLineThatIsNoDiameter) {
   EXPECT_THAT(refusal_of_list("1\n-3\n"), HasSubstr("d.txt:2: "));
   EXPECT_THAT(refusal_of_list("1\nnan\n"), HasSubstr("d.txt:2: "));
   EXPECT_THAT(refusal_of_list("1 2\n"), HasSubstr("more than one number in a line"));
-  EXPECT_THAT(refusal_of_list("# nothing\n"), HasSubstr("holds no diameter"));
+  EXPECT_THAT(refusal_of_list("# nothing\n"), HasSubstr("contains no diameter"));
 }
 
 }  // namespace

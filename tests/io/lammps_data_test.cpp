@@ -204,7 +204,7 @@ TEST(LammpsData, RefusesAnIdThatOccursTwice) {
   const TemporaryFolder folder;
   std::string text = valid_data;
   text.erase(text.find("Velocities"), text.find("Atoms #") - text.find("Velocities"));
-  expect_refused(text, {{"7 2 3.0", "3 2 3.0", "the id 3 stands already in line"}}, folder / "a.data",
+  expect_refused(text, {{"7 2 3.0", "3 2 3.0", "the id 3 occurs already in line"}}, folder / "a.data",
                  read_lammps_data);
 }
 

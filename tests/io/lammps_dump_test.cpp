@@ -105,7 +105,7 @@ TEST(LammpsDump, RefusesMalformedFiles) {
           {"radius xs", "size xs", "no column radius"},
           {"xs ys zs", "a b c", "no columns x y z"},
           {"xs ys zs", "xs xs zs", "the column xs occurs twice"},
-          {"4 1.5 1.25", "9 1.5 1.25", "a.dump:15: the id 9 stands already in line 14"},
+          {"4 1.5 1.25", "9 1.5 1.25", "a.dump:15: the id 9 occurs already in line 14"},
           {"4 1.5 1.25", "4 0 1.25", "radius"},
           {"4 1.5 1.25", "4 -1.5 1.25", "radius"},
           {"4 1.5 1.25", "4 nan 1.25", "finite"},

@@ -85,7 +85,7 @@ TEST_F(TradeoffFiles, SayWhatIsWrong) {
   EXPECT_THAT(with("[arms.a]\n\"mixture.seed\" = 4\n"), HasSubstr("seeds are taken from the samples"));
   EXPECT_THAT(with("[arms.a]\ncases = [\"rugged\"]\n"), HasSubstr("allowed: \"smooth\", \"rough\""));
   EXPECT_THAT(with("[arms.again]\n"), HasSubstr("arms.plain and arms.again are one and the same case"));
-  EXPECT_THAT(with("[arms.\"a/b\"]\n"), HasSubstr("no name for a folder"));
+  EXPECT_THAT(with("[arms.\"a/b\"]\n"), HasSubstr("not a name for a folder"));
   EXPECT_THAT(with("[cases.c]\nmargin = 2.0\n"), HasSubstr("0 < margin < 1"));
   EXPECT_THAT(with("[cases.c]\nreference = \"none\"\n"), HasSubstr("is no arm of cases.c"));
   EXPECT_THAT(complaint("[tradeoff]\nsample = 3\n"), HasSubstr("unknown key tradeoff.sample"));

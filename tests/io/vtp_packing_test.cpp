@@ -108,7 +108,7 @@ TEST(VtpPacking, SortsByIdsAndKeepsThem) {
   EXPECT_EQ(q.species[2], p.species[2]);
   p.labels.id = {7, 7, 12};
   write_vtp(p, folder / "a.vtp");
-  EXPECT_NE(input_error([&] { read_vtp(folder / "a.vtp"); }).find("the id 7 stands twice"),
+  EXPECT_NE(input_error([&] { read_vtp(folder / "a.vtp"); }).find("the id 7 occurs twice"),
             std::string::npos);
 }
 

@@ -17,7 +17,7 @@ using Far = Vec3<Long>;
 
 Far wide(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// A contact of either calculation, seen from its later particle.
+/// A contact from either calculation; i is the particle with the larger index.
 struct PairForce {
   std::uint32_t i, j;  ///< j <= i
   Far branch;          ///< from j to i [d_s]
@@ -31,7 +31,7 @@ void sort_by_pair(std::vector<PairForce>& forces) {
             [](const PairForce& a, const PairForce& b) { return std::tie(a.i, a.j) < std::tie(b.i, b.j); });
 }
 
-/// What of the laws decides the force of a fresh contact.
+/// The parameters of a law that determine the force of a fresh contact (one without history).
 struct FreshLaw {
   HookeConstants constants;
   bool spins, legacy;
@@ -39,8 +39,8 @@ struct FreshLaw {
   explicit FreshLaw(const AnyLaw& law)
       : constants(constants_of(law)), spins(has_friction(law)), legacy(!arms_meet(law)) {}
 
-  /// Force on i of a contact without history. Beyond the Coulomb limit the legacy law, as LAMMPS, lets a
-  /// fresh contact slide without friction.
+  /// Force on i of a contact without history. In the legacy law, as in LAMMPS, a fresh contact beyond the
+  /// Coulomb limit has no tangential force.
   Far force(const Packing& p, const PairForce& t) const {
     const Long distance = norm(t.branch);
     const Long radius_i = p.radius[t.i], radius_j = p.radius[t.j];
@@ -101,7 +101,7 @@ std::vector<PairForce> forces_of(const std::vector<Contact>& contacts) {
   return forces;
 }
 
-/// Adds up the differences of contacts that mean the same image of the same pair.
+/// Adds up the force differences of contacts of the same image of the same pair.
 class Comparison {
  public:
   void compare(const Packing& p, const std::vector<PairForce>& exact, const std::vector<PairForce>& found) {
@@ -132,7 +132,7 @@ class Comparison {
   bool take(const PairForce& exact, const PairForce& found, Long near) {
     Far force = found.force;
     if (norm(exact.branch - found.branch) > near) {
-      // A sphere that touches its own image may be seen from either.
+      // The contact of a sphere with its own image may have either of two opposite branches.
       if (exact.i != exact.j || norm(exact.branch + found.branch) > near) return false;
       force = -force;
     }
@@ -160,7 +160,7 @@ ForceError force_error(const AnyLaw& law, const Packing& packing, const std::vec
 
 ForceError force_error(const Model& model, const Packing& packing, int threads) {
   Packing start = packing;
-  start.order.clear();  // so that the forces are taken from the positions
+  start.order.clear();  // so that the forces are computed from the positions
   start.contacts.clear();
   const auto simulation = make_simulation(model, start, threads);
   return force_error(model.law, packing, simulation->packing().contacts);

@@ -8,23 +8,23 @@
 
 namespace furnas {
 
-/// How far the forces of the step are from those of the packing in long double.
+/// Differences between the contact forces of a step and a calculation in long double.
 struct ForceError {
-  std::size_t contacts{};  ///< of the packing
-  std::size_t missed{};    ///< of these, unknown to the step
+  std::size_t contacts{};  ///< of the packing, from the calculation in long double
+  std::size_t missed{};    ///< of these, missing in the step
   std::size_t spurious{};  ///< contacts of the step that the packing does not have
-  double median{};         ///< |difference|/|force| of the contacts that both have
-  double largest{};        ///< |difference|/(mean |force|) of the worst of them
+  double median{};         ///< median of |difference|/|force| over the contacts that both have
+  double largest{};        ///< largest |difference|/(mean |force|) of these contacts
 
-  /// Missed and spurious contacts over the contacts.
+  /// Number of missed and spurious contacts over the number of contacts.
   double mistaken() const {
     return contacts ? static_cast<double>(missed + spurious) / static_cast<double>(contacts) : 0;
   }
 };
 
-/// Compares `contacts` of a packing, of which i, j, branch and force count, with those of a second
-/// calculation in long double, without history. That finds them with the certificate's search, which shares
-/// no code with the engine's, and has the formulas of the laws written anew.
+/// Compares i, j, branch and force of the `contacts` of a packing with those of a second calculation in long
+/// double, without history. The second calculation finds contacts with the certificate's search, which shares
+/// no code with the engine's, and has its own code for the formulas of the laws.
 ForceError force_error(const AnyLaw& law, const Packing& packing, const std::vector<Contact>& contacts);
 
 /// The same for the contacts of a simulation that begins with the positions and velocities of `packing`.

@@ -79,19 +79,19 @@ Lammps::Lammps(fs::path folder, const Packing& packing, const Model& model, int 
 }
 
 void Lammps::call(const LammpsSetting& setting, std::int64_t steps, int ranks, Dump dump) const {
-  // OpenMPI refuses to work for root, as in a container, unless told twice.
+  // OpenMPI refuses to run as root, as in a container, unless two variables are set.
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   fs::remove(folder_ / "log.lammps");
   const std::string command = fmt::format(
       "cd {} && {}lmp -in in.furnas -log log.lammps -var style {} -var newton {} -var skin {} -var steps {} "
-      "-var dump {} "
-      ">screen.txt 2>&1",
+      "-var dump {} >screen.txt 2>&1",
       shell_word(folder_.string()), ranks > 1 ? fmt::format("mpirun -np {} ", ranks) : "", setting.style,
       setting.style == "multi" ? "on" : "off", setting.skin, steps, dump == Dump::forces ? "yes" : "no");
   if (std::system(command.c_str()) == 0) return;
-  if (fs::exists(folder_ / "log.lammps")) timing_in(folder_ / "log.lammps");  // its own words, if it has any
-  throw std::runtime_error("LAMMPS failed; its last words are in " + (folder_ / "screen.txt").string());
+  if (fs::exists(folder_ / "log.lammps"))
+    timing_in(folder_ / "log.lammps");  // throws LAMMPS's own error message, if there is one
+  throw std::runtime_error("LAMMPS failed; its last messages are in " + (folder_ / "screen.txt").string());
 }
 
 LammpsTiming Lammps::run(const LammpsSetting& setting, std::int64_t steps) const {

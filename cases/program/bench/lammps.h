@@ -12,18 +12,18 @@ namespace furnas {
 /// How LAMMPS keeps its neighbour list.
 struct LammpsSetting {
   std::string style =
-      "bin";  ///< "bin"; or "multi": one grid a size, its communication reduced, forces by Newton's third law
+      "bin";  ///< "bin"; or "multi": one grid per size, reduced communication, forces by Newton's third law
   double skin = 0.05;  ///< [d_s]
 };
 
-/// What a run of LAMMPS says of itself.
+/// Numbers from the log of a run of LAMMPS.
 struct LammpsTiming {
-  double seconds{};         ///< of its loop
-  std::int64_t rebuilds{};  ///< of its neighbour list
+  double seconds{};         ///< of the loop over time steps
+  std::int64_t rebuilds{};  ///< of the neighbour list
 };
 
-/// An installed LAMMPS with a packing to move: by the law that furnas calls hooke_history, with the same
-/// damping, time step and bath as a model.
+/// An installed LAMMPS with a packing. LAMMPS steps the packing with the law that furnas calls hooke_history,
+/// and with the damping, time step and bath of a model.
 class Lammps {
  public:
   /// Writes packing and input deck into `folder`. Throws InputError when no `lmp`, or for several ranks no
@@ -31,7 +31,7 @@ class Lammps {
   Lammps(std::filesystem::path folder, const Packing& packing, const Model& model, int ranks);
 
   /// Takes `steps` time steps from the start of the packing, without histories. Throws std::runtime_error
-  /// with the complaint of LAMMPS.
+  /// with the error message of LAMMPS.
   LammpsTiming run(const LammpsSetting& setting, std::int64_t steps) const;
 
   /// The packing with the forces before the first step.
@@ -45,10 +45,11 @@ class Lammps {
   int ranks_;
 };
 
-/// The input deck; it leaves data, style, newton, skin, steps and dump to variables of the command line.
+/// The input deck; style, newton, skin, steps and dump are variables of the command line.
 std::string lammps_deck(const Packing& packing, const Model& model);
 
-/// What the log of a run tells. Throws std::runtime_error with its complaint, or when it has no timing.
+/// Timing from the log of a run. Throws std::runtime_error with the error message of LAMMPS, or when the log
+/// has no timing.
 LammpsTiming timing_in(const std::filesystem::path& log);
 
 }  // namespace furnas

@@ -24,8 +24,8 @@ std::size_t status(const std::string& name) {
 }  // namespace
 
 MemoryWatch::MemoryWatch() {
-  ::malloc_trim(0);                             // what is free already is not to be taken for growth later
-  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  ::malloc_trim(0);                             // memory that is free already must not hide growth later
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak of the resident memory
   start_ = status("VmRSS");
 }
 

@@ -4,11 +4,12 @@
 
 namespace furnas {
 
-/// Watches how far the resident memory of this process grows from where it stands.
+/// Measures by how much the resident memory of this process grows after the construction of this object.
 class MemoryWatch {
  public:
   MemoryWatch();
-  /// Bytes at the peak since then beyond those at the start; 0 where the system does not tell.
+  /// Peak of the memory since then minus the memory at the start, in bytes; 0 where the system does not
+  /// report it.
   std::size_t growth() const;
 
  private:

@@ -55,7 +55,7 @@ void add_packing_choice(CommandLine& app, PackingChoice& choice) {
           "packings in any format, or folders of runs; default: those that bench prepare has made");
   app.add("--packings", choice.folder, "folder of the prepared packings").showing_default();
   app.add("--ratios", choice.ratios, "size ratios").separated_by(',').showing_default();
-  app.add("--sizes", choice.sizes, "numbers of particles to come close to by repeating the cell")
+  app.add("--sizes", choice.sizes, "numbers of particles, which repeating the cell comes close to")
       .separated_by(',')
       .showing_default();
 }
@@ -95,7 +95,7 @@ void for_each_packing(const PackingChoice& choice, Console console,
 
 Model model_for(const ModelChoice& choice, const Packing& packing) {
   Case c;
-  // What is measured is a step of LAMMPS and of the study.
+  // LAMMPS and the study use the peculiar velocity, so their step is the one to measure.
   apply_override(c, "contact.velocity=peculiar");
   apply_override(c, "compaction.time_step=0.02");
   apply_override(c, "compaction.cell_damping=0");

@@ -18,34 +18,35 @@ std::vector<double> benchmark_ratios();
 /// Name of the case and of its folder: "alpha_5".
 std::string benchmark_name(double size_ratio);
 
-/// How often to repeat a packing of `particles` to come close to `wanted` of them, with edges that stay
-/// within a factor of two.
+/// How often to repeat a packing of `particles` along each edge, so that the result has about `wanted`
+/// particles and its edges differ by less than a factor of two.
 Times times_for(std::size_t particles, double wanted);
 
-/// Which packings to measure with: files, or prepared ones of these ratios, repeated to these sizes.
+/// Which packings to measure: files, or prepared packings of these size ratios, repeated to these sizes.
 struct PackingChoice {
-  std::vector<std::string> files;  ///< packings in any format, or folders of runs; others are not looked for
-  std::string folder = "bench";    ///< where `bench prepare` has put them
-  std::vector<double> ratios;      ///< of the diameters
+  std::vector<std::string>
+      files;  ///< packings in any format, or folders of runs; if given, prepared packings are not used
+  std::string folder = "bench";                   ///< folder in which `bench prepare` has put packings
+  std::vector<double> ratios;                     ///< of the diameters
   std::vector<double> sizes{1e3, 1e4, 1e5, 1e6};  ///< particles
 };
 
 /// Declares the options of a choice.
 void add_packing_choice(CommandLine& app, PackingChoice& choice);
 
-/// Hands each packing of the choice to `take`, one after the other, with its name. Throws InputError for one
-/// that does not exist; says which sizes cannot be had.
+/// Calls `take` with each packing of the choice and its name. Throws InputError for a packing that does not
+/// exist; prints which sizes are not possible.
 void for_each_packing(const PackingChoice& choice, Console console,
                       const std::function<void(const std::string& name, const Packing& packing)>& take);
 
-/// Which model to measure: what a case would say of it.
+/// Which model to measure, by keys of a case.
 struct ModelChoice {
   std::string law = "hooke_synchronized";  ///< contact.law
   double friction = 0.3;                   ///< contact.friction
   std::string precision = "mixed";         ///< compute.precision
 };
 
-/// The model for a packing. Throws InputError for what no case may say.
+/// The model for a packing. Throws InputError for values that a case may not have.
 Model model_for(const ModelChoice& choice, const Packing& packing);
 
 }  // namespace furnas

@@ -16,7 +16,7 @@
 namespace furnas {
 namespace {
 
-/// The packing as LAMMPS gets it.
+/// The start, in the form that LAMMPS reads.
 Packing start_from(const PeersOrder& order) {
   Packing start = for_lammps(packing_source(order.source, order.frame).packing);
   start.step = 0;
@@ -44,7 +44,7 @@ class Match {
     const std::int64_t steps = std::max<std::int64_t>(order_.steps / 2, 1);
     Table table({"style", "skin", "LAMMPS Mps", "rebuilds/steps"});
     for (const char* style : {"bin", "multi"}) {
-      if (one_size && std::string_view(style) == "multi") continue;  // it is for several sizes
+      if (one_size && std::string_view(style) == "multi") continue;  // "multi" is for several sizes
       for (const double skin : order_.skins) {
         const LammpsSetting setting{style, skin};
         if (const auto timing = attempt(setting, steps)) {
@@ -102,7 +102,7 @@ class Match {
   }
 
  private:
-  /// A setting that cannot hold the packing costs a line, not the comparison.
+  /// A setting with which LAMMPS fails is reported in a line and left out of the comparison.
   std::optional<LammpsTiming> attempt(const LammpsSetting& setting, std::int64_t steps) const {
     try {
       return lammps_.run(setting, steps);

@@ -32,7 +32,7 @@ std::string_view case_text(double ratio) {
                                fmt::join(benchmark_ratios(), ", ")));
 }
 
-/// The verdict of a run that has ended; empty if there is none.
+/// The verdict of a run that has ended; empty if there is no result.
 std::string verdict_in(const fs::path& folder) {
   std::ifstream file(folder / "result.json");
   const auto result = nlohmann::json::parse(file, nullptr, false);
@@ -47,7 +47,7 @@ ExitCode make(double ratio, const PrepareOrder& order, Console console) {
     return ExitCode::done;
   }
   const bool begun = !Checkpoints::none(folder);
-  console.out << fmt::format("{}: {}\n", folder.string(), begun ? "goes on" : "begins") << std::flush;
+  console.out << fmt::format("{}: {}\n", folder.string(), begun ? "continues" : "begins") << std::flush;
   RunOrder run;
   if (begun) {
     run = order_to_resume(folder, order.set);

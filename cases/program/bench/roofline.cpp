@@ -32,7 +32,7 @@ double triad_bandwidth(int threads, std::size_t bytes) {
   constexpr int passes = 7;
   constexpr std::size_t chunk = std::size_t{1} << 16;
   const std::size_t count = bytes / sizeof(double);
-  // Untouched memory: each page goes where the thread is that fills it.
+  // The memory is not initialized here, so each page is placed near the thread that first writes to it.
   const auto array = [&] { return std::unique_ptr<double[]>(new double[count]); };
   const auto a = array(), b = array(), c = array();
   double best = 0;
@@ -60,7 +60,8 @@ std::size_t triad_size() {
     const long value = ::sysconf(name);
     return static_cast<std::size_t>(value > 0 ? value : otherwise);
   };
-  // A virtual machine may name a cache that it shares with many others; so much is beyond any share of it.
+  // A virtual machine may report a cache that it shares with many others; arrays above this size exceed any
+  // share of it.
   constexpr std::size_t least = std::size_t{64} << 20, most = std::size_t{512} << 20;
   const std::size_t cache = known(_SC_LEVEL3_CACHE_SIZE, 32L << 20);
   const std::size_t available = known(_SC_AVPHYS_PAGES, 1L << 18) * known(_SC_PAGESIZE, 4096);

@@ -4,25 +4,26 @@
 
 namespace furnas {
 
-/// What a particle-step must move when nothing of it stays in the cache between two phases.
+/// The memory traffic of a particle-step if no data stay in the cache between two phases.
 struct Traffic {
-  bool spins = true;  ///< with friction
-  double pairs{};     ///< candidate pairs per particle that a step looks at
-  bool mixed = true;  ///< precision
+  bool spins = true;  ///< true with friction
+  double pairs{};     ///< candidate pairs per particle that a step checks
+  bool mixed = true;  ///< mixed precision
 };
 
-/// Bytes that a particle-step moves, by counting passes over arrays: the particle's record is read by the
-/// forces, and read and written by each of the two kicks (5 passes); its load is written and read; each
-/// candidate pair reads its partner's index and its row's index (4 bytes each), writes and reads its row, and
-/// reads and writes its history. Partners' records, the list's offsets and rebuilds are left out.
+/// Bytes that a particle-step moves, counted as passes over arrays. The particle's record is read by the
+/// forces, and read and written by each of the two kicks (5 passes); its load (force and torque) is written
+/// and read; each candidate pair reads its partner's index and its row's index (4 bytes each), writes and
+/// reads its row, and reads and writes its history. Partners' records, the list's offsets and rebuilds are
+/// left out.
 double bytes_per_particle_step(const Traffic& traffic);
 
-/// Bytes a second that a triad a = b + s c moves with so many threads, the best of some passes; counted as
-/// STREAM does, 24 bytes an element (McCalpin 1995). Each array has `bytes`.
+/// Bytes per second that a triad a = b + s c moves with this number of threads: the best of several passes,
+/// counted as in STREAM, 24 bytes per element (McCalpin 1995). Each array has `bytes`.
 double triad_bandwidth(int threads, std::size_t bytes);
 
-/// Bytes of an array so large that three of them are well beyond the last cache, as far as the free memory
-/// allows.
+/// Size in bytes of an array. Three such arrays are much larger than the last-level cache, if the free memory
+/// allows it.
 std::size_t triad_size();
 
 }  // namespace furnas

@@ -22,7 +22,7 @@ double seconds_of(Simulation& simulation, std::int64_t steps) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The phases' shares of a stretch of steps; phases of the same name are one.
+/// The share of each phase in the time of these steps; phases of the same name are added.
 std::vector<std::pair<std::string, double>> shares_of_phases(Simulation& simulation, std::int64_t steps) {
   std::vector<PhaseTime> times;
   simulation.graph().keep_times(&times);
@@ -83,8 +83,8 @@ class SpeedMeasurement {
     const MemoryWatch memory;
     const auto simulation = make_simulation(model(k), packing_, order_.variants[k].threads);
     const auto particles = static_cast<double>(packing_.size());
-    // Caches and pages are warm afterwards, and the first list, wide because nothing was known of the motion,
-    // has been replaced.
+    // After these steps caches and pages are warm. The first neighbour list, which is wide because the motion
+    // was unknown, has been replaced.
     constexpr std::int64_t settled = 150;
     simulation->advance(std::max(steps_ / 10, settled));
     const std::int64_t builds = simulation->neighbours().builds;

@@ -51,7 +51,7 @@ AnalysisRecord analyze_source(const Options& options) {
     record.contacts_are_overlaps = true;
   }
   AnalysisOptions analysis = analysis_options(options, source);
-  // Overlaps tell nothing of tangential forces.
+  // Overlaps contain no information about tangential forces.
   if (record.contacts_are_overlaps) analysis.friction = 0;
   record.analysis = analyze(source.packing, analysis);
   if (fs::is_directory(options.source)) record.phi_J = read_phi_J(options.source);
@@ -119,11 +119,11 @@ std::string network_text(const Analysis& a) {
         100 * together.mobilisation->sliding_share(), together.mobilisation->mean, a.friction);
     if (together.mobilisation->beyond > 0)
       text += fmt::format(
-          "          {} contacts exceed this friction: it is not what the packing was made with\n",
+          "          {} contacts exceed this friction, so the packing was made with another friction\n",
           together.mobilisation->beyond);
   }
   text += fmt::format(
-      "fabric    anisotropy {:.4f} in the backbone ({:.4f} by chance), {:.4f} of all contacts\n",
+      "fabric    anisotropy {:.4f} in the backbone ({:.4f} expected by chance), {:.4f} of all contacts\n",
       together.fabric.anisotropy(), together.fabric.anisotropy_by_chance(), n.fabric.front().anisotropy());
   return text;
 }
@@ -141,11 +141,9 @@ std::string summary(const AnalysisRecord& record) {
     text += fmt::format("furnas    f_s {:.4f}, phi_L {:.5f}, phi_S {:.5f}\n", a.mixture->small_fraction,
                         a.mixture->phi_large, a.mixture->phi_small);
   if (record.contacts_are_overlaps)
-    text +=
-        a.network
-            ? "note      no contacts in the source: overlaps take their place, with F_n = k_n overlap and no "
-              "tangential forces\n"
-            : "note      no contacts in the source, and no two spheres overlap\n";
+    text += a.network ? "note      no contacts in the source: overlaps take their place, with F_n = k_n "
+                        "overlap and no tangential forces\n"
+                      : "note      no contacts in the source, and no two spheres overlap\n";
   if (a.network) text += network_text(a);
   for (const PairCorrelation& p : a.pairs) {
     const auto highest = static_cast<std::size_t>(std::max_element(p.g.begin(), p.g.end()) - p.g.begin());
@@ -168,16 +166,16 @@ Command analyze_command() {
     add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out, "folder for the files; default: that of the packing");
     app.add("--friction", options->friction,
-            "mu that tangential forces are measured against; default: the run's")
+            "mu in the mobilisation of tangential forces, abs(F_t)/(mu F_n); default: that of the run")
         .between(0.0, 1e6);
     app.add("--backbone", options->backbone,
-            "contacts below which a particle is a rattler; default: 4 without friction, 2 with")
+            "live contacts below which a particle is a rattler; default: 4 without friction, 2 with friction")
         .between(2, 4);
     app.add("--force-bin", analysis.force_bins.width, "width of the bins for forces [mean force]")
         .between(1e-3, 1e3)
         .showing_default();
     app.flag("--logarithmic", analysis.force_bins.logarithmic,
-             "bins for forces that grow, ten in a power of ten");
+             "bins for forces of equal width in log(force), ten per decade");
     app.add("--reach", analysis.pair_correlation.reach,
             "largest distance of g(r) [d_s]; default: half of the cell, 2.5 to 5 large diameters")
         .above_zero();

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options of all subcommands, and which of them was asked for.
+/// Options of all subcommands, and the subcommands themselves.
 struct Options {
   std::optional<CommandLine> speed;
   std::optional<CommandLine> error;
@@ -50,7 +50,7 @@ struct Options {
   bool quick = false;
 };
 
-/// One thread and all of them.
+/// One thread, and all threads of the computer.
 std::vector<int> usual_threads() {
   const int all = available_threads();
   return all > 1 ? std::vector{1, all} : std::vector{1};
@@ -67,18 +67,21 @@ void declare_speed(CommandLine& bench, Options& o) {
       .between(1, 1024)
       .showing_default();
   o.speed->add("--precision", o.precision, "compute.precision").separated_by(',').showing_default();
-  o.speed->add("--seconds", o.measure.seconds, "length of a repeat with the first threads")
+  o.speed->add("--seconds", o.measure.seconds, "duration of a repeat with the first number of threads [s]")
       .above_zero()
       .showing_default();
-  o.speed->add("--steps", o.measure.steps, "length of a repeat in steps, instead").above_zero();
-  o.speed->add("--repeats", o.measure.repeats, "repeats, in turn over threads and precisions")
+  o.speed->add("--steps", o.measure.steps, "length of a repeat in steps, instead of --seconds").above_zero();
+  o.speed
+      ->add("--repeats", o.measure.repeats,
+            "repeats; each runs all numbers of threads and precisions in turn")
       .above_zero()
       .showing_default();
   o.speed
       ->add("--triad", o.triad_megabytes,
-            "megabytes of each array of the bandwidth test; default: four times the last cache, 512 at most")
+            "megabytes of each array of the bandwidth test; default: four times the last-level cache, at "
+            "most 512")
       .above_zero();
-  o.speed->add("--csv", o.csv, "file for all of it");
+  o.speed->add("--csv", o.csv, "file for the results with all digits");
 }
 
 void declare_error(CommandLine& bench, Options& o) {
@@ -91,7 +94,8 @@ void declare_error(CommandLine& bench, Options& o) {
 }
 
 void declare_peers(CommandLine& bench, Options& o) {
-  o.peers = bench.subcommand("peers", "the same packing through an installed LAMMPS, in turn");
+  o.peers =
+      bench.subcommand("peers", "speed of furnas and of an installed LAMMPS on the same packing, in turn");
   o.match.ranks = available_threads();
   add_packing_source(*o.peers, o.match.source, o.match.frame);
   o.peers->add("--steps", o.match.steps, "length of a run").above_zero().showing_default();
@@ -103,17 +107,18 @@ void declare_peers(CommandLine& bench, Options& o) {
       .between(1, 1024)
       .showing_default();
   o.peers->add("--skins", o.match.skins, "skins that LAMMPS tries [d_s]").separated_by(',').showing_default();
-  o.peers->add("--out", o.match.folder, "folder for LAMMPS's files, kept; default: a passing one");
+  o.peers->add("--out", o.match.folder,
+               "folder for the files of LAMMPS, which is kept; default: a temporary one");
 }
 
 void declare_prepare(CommandLine& bench, Options& o) {
-  o.prepare = bench.subcommand("prepare", "make the packings that speed and error measure with");
+  o.prepare = bench.subcommand("prepare", "make the packings for bench speed and bench error");
   o.making.ratios = benchmark_ratios();
-  o.prepare->add("--out", o.making.folder, "folder for them").showing_default();
+  o.prepare->add("--out", o.making.folder, "folder for the packings").showing_default();
   o.prepare->add("--ratios", o.making.ratios, "size ratios").separated_by(',').showing_default();
   o.prepare
       ->add("--sizes", o.making.sizes,
-            "numbers of particles to write repeated packings of; speed repeats by itself")
+            "also write packings repeated to these numbers of particles; bench speed does not need them")
       .separated_by(',');
   o.prepare->add("--set", o.making.set, "change a key of the cases, e.g. compute.threads=2");
   o.prepare->add("--walltime", o.making.walltime, "stop each case and save after e.g. 30m or 2h");
@@ -121,25 +126,30 @@ void declare_prepare(CommandLine& bench, Options& o) {
 
 void declare_tradeoff(CommandLine& bench, Options& o) {
   o.tradeoff =
-      bench.subcommand("tradeoff", "settings side by side: seconds to the end, and phi with its error");
+      bench.subcommand("tradeoff", "compare settings: seconds to the end of a run, and phi with its error");
   o.arms.jobs = available_threads();
   o.tradeoff->add("FILE", o.arms.file, "cases and arms, as cases/tradeoff.toml").required();
-  o.tradeoff->add("--out", o.arms.folder, "folder for samples, tables and charts; again: go on with it")
+  o.tradeoff
+      ->add("--out", o.arms.folder,
+            "folder for samples, tables and charts; if it exists, its samples are continued")
       .required();
   o.tradeoff->add("--jobs", o.arms.jobs, "threads of all samples together; default: all of the machine")
       .between(1, 1024);
-  o.tradeoff->add("--samples", o.arms.samples, "seeds of each arm, instead of those of the file")
+  o.tradeoff
+      ->add("--samples", o.arms.samples, "number of seeds of each arm, instead of the number in the file")
       .between(1, 100'000);
   o.tradeoff->add("--cases", o.arms.cases, "only these cases").separated_by(',');
   o.tradeoff->add("--arms", o.arms.arms, "only these arms, and the reference").separated_by(',');
-  o.tradeoff->flag("--report", o.arms.report_only, "run nothing: tables and charts of what is there");
+  o.tradeoff->flag("--report", o.arms.report_only,
+                   "run nothing; write tables and charts of the samples in the folder");
 }
 
 void declare_panels(CommandLine& bench, Options& o) {
   for (const Panel& panel : panels()) {
     CommandLine& app = o.panels.emplace_back(bench.subcommand(panel.name, panel.does));
     app.add("--out", o.panel_folder, "folder for table and chart").showing_default();
-    app.flag("--quick", o.quick, "a second of it: orders and closed forms, fewer points");
+    app.flag("--quick", o.quick,
+             "fewer points, in about a second: enough to check orders of convergence and closed forms");
   }
 }
 
@@ -193,7 +203,7 @@ ExitCode peers(Options& o, Console console) {
   if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
   make_folder(o.match.folder);
   const ExitCode code = compare_with_lammps(o.match, console);
-  if (passing) fs::remove_all(o.match.folder);  // what went wrong stays to be looked at
+  if (passing) fs::remove_all(o.match.folder);  // after a failure the exception keeps the folder
   return code;
 }
 
@@ -208,7 +218,7 @@ Command bench_command() {
   const auto options = std::make_shared<Options>();
   return {
       .name = "bench",
-      .does = "measure speed beside error, and against LAMMPS",
+      .does = "measure speed and error, and compare the speed with LAMMPS",
       .example = "furnas bench prepare --ratios 1,5 && furnas bench speed --ratios 1,5 --sizes 1e4",
       .setup =
           [options](CommandLine& app) {

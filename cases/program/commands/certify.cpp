@@ -27,18 +27,19 @@ struct Options {
   int eigenvalues = CertificateTerms{}.eigenvalues;
 };
 
-/// The eigenvalues of a large packing take a while; as docs/developer/decisions/factor-instead-of-lanczos.md
-/// has it: 0.3 s for 1000 particles, 17 s for 4756.
+/// Announces the expected time for the eigenvalues of a large packing, from the measurements in
+/// docs/developer/decisions/factor-instead-of-lanczos.md: 0.3 s for 1000 particles, 17 s for 4756.
 void announce(std::size_t particles, Console console) {
   constexpr double of_thousand = 0.3, power = 2.6, noticed = 2;  // [s]
   const double seconds = of_thousand * std::pow(static_cast<double>(particles) / 1000, power);
   if (seconds < noticed) return;
-  console.err << "certifies " << particles << " particles: their stiffness and its eigenvalues, about "
+  console.err << "certifying " << particles << " particles: stiffness matrix and its eigenvalues, about "
               << duration_text(seconds) << '\n'
               << std::flush;
 }
 
-/// What the case promised; the limit of the force balance is at least the loose one.
+/// The limits of the case; the limit of the force balance is at least `loose_imbalance`
+/// (engine/events/at_rest.h).
 CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   const Case& c = *source.of_case;
   CertificateTerms terms;
@@ -58,12 +59,12 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
   terms.stress_error = options.stress_error.value_or(rest.stress_error);
   terms.cone_excess = options.cone_excess.value_or(terms.cone_excess);
   terms.eigenvalues = options.eigenvalues;
-  terms.histories = !options.pressure || options.friction.value_or(0) == 0;  // a file keeps none
+  terms.histories = !options.pressure || options.friction.value_or(0) == 0;  // a file stores no histories
   return terms;
 }
 
-/// A packing and what it should be: its run tells that, or the options. In a file without contacts its
-/// overlaps are the contacts, without histories.
+/// A packing with its pressure and friction, which follow from its run or from the options. In a file without
+/// contacts the overlaps are taken as contacts, without histories.
 PackingSource told_source(const Options& options) {
   PackingSource source = packing_source(options.source, options.frame);
   if (source.of_case) {
@@ -75,10 +76,10 @@ PackingSource told_source(const Options& options) {
     return source;
   }
   if (!options.pressure)
-    throw InputError(
-        options.source +
-        ": it holds no case, so pressure and friction are unknown; allowed: the folder of a run, one of its "
-        "checkpoints, or a packing with --pressure and, unless friction is 0, --friction");
+    throw InputError(options.source +
+                     ": it contains no case, so pressure and friction are unknown; allowed: the folder of a "
+                     "run, one of its "
+                     "checkpoints, or a packing with --pressure and, unless friction is 0, --friction");
   validate(source.packing);
   Case c;
   c.compaction.pressure = {*options.pressure};
@@ -101,7 +102,8 @@ Command certify_command() {
     app.add("--out", options->out,
             "folder for certificate.json and certificate.txt; default: that of the packing");
     app.add("--force-imbalance", options->force_imbalance,
-            "largest mean |net force|/mean contact force; default: 1e-3, or more if the case asks for more")
+            "largest mean |net force|/mean contact force; default: 1e-3, or the value in the case if that is "
+            "larger")
         .above_zero();
     app.add("--stress-error", options->stress_error,
             "largest deviation of a stress component/p_a; default: stop.stress_error of the case")

@@ -12,11 +12,11 @@ namespace furnas {
 /// Where a command prints.
 struct Console {
   std::ostream& out;  ///< results
-  std::ostream& err;  ///< progress and complaints
+  std::ostream& err;  ///< progress and errors
 };
 
-/// One command of the program. `setup` declares its options and keeps their values where `run` finds them;
-/// `run` throws InputError for anything the user can put right.
+/// One command of the program. `setup` declares its options and stores their values for `run`; `run` throws
+/// InputError for any error that the user can correct.
 struct Command {
   std::string name;
   std::string does;     ///< one line for the table of commands

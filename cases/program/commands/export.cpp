@@ -27,7 +27,7 @@ struct Options {
   bool box = false;
 };
 
-/// Says what a large file takes before it is written; throws OutputError if the disk has no room for it.
+/// Prints the size of a large file before it is written; throws OutputError if the disk has no room for it.
 void announce(const std::string& what, double bytes, double memory, const std::string& out, Console console) {
   console.err << fmt::format("{}: {:.1f} MB in {}, {:.0f} MB of memory\n", what, bytes / 1e6, out,
                              memory / 1e6)
@@ -40,7 +40,7 @@ void announce(const std::string& what, double bytes, double memory, const std::s
                                   out, bytes / 1e6, static_cast<double>(space.available) / 1e6));
 }
 
-/// As long as a sixteenth of the smallest sphere, if not said otherwise.
+/// The edge of the grid: that of --edge, or a sixteenth of the smallest diameter.
 double edge_of(const Options& options, const Packing& packing) {
   return options.edge.value_or(smallest_diameter(packing) / 16);
 }
@@ -63,7 +63,7 @@ void export_stl(const Options& options, const Packing& packing, const std::strin
   console.err << write_stl(plan, out) << " triangles\n";
 }
 
-/// A solid is no packing: its spheres cannot be read back.
+/// Formats of solids, which are not formats of packings: the spheres cannot be read back.
 struct SolidFormat {
   const char* name;
   const char* extension;
@@ -72,14 +72,14 @@ struct SolidFormat {
 
 constexpr SolidFormat solids[] = {{"stl", ".stl", export_stl}, {"voxels", ".mhd", export_voxels}};
 
-/// No format either: the contacts alone, for scripts.
+/// Another word for FORMAT: the contacts alone, for scripts.
 constexpr const char* contacts = "contacts";
 
 void export_contacts(const Options& options, const std::string& out) {
   const Packing packing = packing_source(options.source, options.frame).packing;
   if (packing.contacts.empty())
     throw InputError(options.source +
-                     ": holds no contacts; allowed for contacts: the folder of a run, or a checkpoint");
+                     ": contains no contacts; allowed for contacts: the folder of a run, or a checkpoint");
   make_folder_of(out);
   write_contacts_csv(packing, out);
 }
@@ -96,7 +96,7 @@ void export_packing(const std::string& format, const Packing& packing, const std
   remark_on_losses(packing, format, console.err);
 }
 
-/// Not a format: a folder with all that LAMMPS needs.
+/// Another word for FORMAT: a folder with all that LAMMPS needs.
 constexpr const char* kit = "lammps";
 
 std::string write_kit(const Options& o) {
@@ -104,15 +104,14 @@ std::string write_kit(const Options& o) {
   const auto c = case_about(source, o.source);
   if (!c)
     throw InputError(o.source +
-                     ": no case in it, which tells law, time step and pressure; allowed for lammps: the "
-                     "folder of a run, or "
-                     "a packing in it");
+                     ": contains no case, from which law, time step and pressure would follow; allowed for "
+                     "lammps: the folder of a run, or a packing in it");
   const std::string folder = o.out.empty() ? kit : o.out;
   write_lammps_kit(source.packing, *c, source.reached.size(), o.source, folder);
   return folder;
 }
 
-/// Of packings, and what is none.
+/// The formats of packings, and the other words for FORMAT.
 std::string names_of_all_formats() {
   std::string all = names_of_written_formats() + ", " + contacts;
   for (const SolidFormat& solid : solids) all += fmt::format(", {}", solid.name);
@@ -139,26 +138,25 @@ Command export_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "export";
-  command.does = "write a packing in another format, or all that LAMMPS needs to go on with a run";
+  command.does = "write a packing in another format, or all that LAMMPS needs to continue a run";
   command.example = "furnas export runs/first_packing stl --edge 0.1 --box";
   command.setup = [options](CommandLine& app) {
     add_packing_source(app, options->source, options->frame);
     app.add("FORMAT", options->format,
             names_of_written_formats() +
-                "; contacts: a CSV of them; stl: the union of the spheres as triangles; voxels: a MetaImage, "
-                "1 in a sphere and 0 "
-                "between them, of the box that repeats; lammps: a folder with data file, input deck and "
-                "README")
+                "; contacts: the contacts as CSV; stl: the union of the spheres as triangles; voxels: a "
+                "MetaImage of the periodic box, 1 in a sphere and 0 between spheres; lammps: a folder with "
+                "data file, input deck and README")
         .required();
-    app.add(
-        "--out", options->out,
-        "file, whose folder is made, or the folder of lammps; default: packing with the format's extension");
+    app.add("--out", options->out,
+            "file, or for lammps the folder; missing folders are made; default: packing with the format's "
+            "extension");
     app.add("--edge", options->edge,
-            "of stl and voxels: edge of the grid [d_s]; default: a sixteenth of the smallest diameter")
+            "for stl and voxels: edge of the grid [d_s]; default: a sixteenth of the smallest diameter")
         .above_zero();
     app.flag("--box", options->box,
-             "of stl: what of the packing and its images lies in the box that repeats, closed at its faces; "
-             "default: each sphere once and whole");
+             "for stl: the part of the packing and its images within the periodic box, closed at the faces "
+             "of the box; default: each sphere once and whole");
   };
   command.run = [options](Console console) {
     require_known_format(options->format);

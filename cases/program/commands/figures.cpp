@@ -22,7 +22,7 @@ Command figures_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "figures";
-  command.does = "draw the paper's figures from sweeps, and report what agrees with it";
+  command.does = "draw the paper's figures from sweeps, and report which of its statements are reproduced";
   command.example = "furnas figures runs/mono runs/alpha_5 --out figures";
   command.setup = [options](CommandLine& app) {
     app.add("SWEEP", options->folders, "folders of sweeps").required();

@@ -43,7 +43,7 @@ void rescale(Packing& p, double length, double mass) {
     p.force[k] *= mass * length;
     p.torque[k] *= mass * length * length;
   }
-  p.contacts.clear();  // their forces were of other units
+  p.contacts.clear();  // their forces have other units
 }
 
 }  // namespace
@@ -58,18 +58,19 @@ Command import_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "import";
-  command.does = "read a packing, say what it is and keep it as a file that furnas starts from";
+  command.does = "read a packing, describe it and write it as a file from which a run can start";
   command.example = "furnas import packing.lammpstrj --out start.vtp";
   command.setup = [options](CommandLine& app) {
     app.add("FILE", options->source, "packing in one of: " + names_of_read_formats()).required();
     add_frame(app, options->frame);
     app.add("--out", options->out, "file to write, format by its extension; default: only describe");
     app.add("--scale", options->scale,
-            "multiply all lengths by this, so that they are in diameters of a small sphere: 1000 for one of "
-            "0.001 m")
+            "multiply all lengths by this number to get the unit d_s, the diameter of a small sphere: 1000 "
+            "for a diameter of 0.001 m")
         .above_zero();
     app.add("--density", options->density,
-            "density of the file that counts as 1, so that masses are in rho d_s^3: 2500 for kg/m^3")
+            "density of the spheres in the units of the file, to get masses in rho d_s^3: for example 2500 "
+            "for 2500 kg/m^3")
         .above_zero();
   };
   command.run = [options](Console console) {

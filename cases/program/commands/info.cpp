@@ -26,7 +26,7 @@ std::string dotted(unsigned long major, unsigned long minor, unsigned long patch
   return fmt::format("{}.{}.{}", major, minor, patch);
 }
 
-/// fmt and xxHash pack their version as major 10000 + minor 100 + patch.
+/// fmt and xxHash encode their version as major 10000 + minor 100 + patch.
 std::string packed(unsigned long version) {
   return dotted(version / 10000, version / 100 % 100, version % 100);
 }
@@ -55,7 +55,7 @@ ExitCode print_build(Console console) {
   return ExitCode::done;
 }
 
-/// The drawing of the timestep by the program itself.
+/// Draws the time step; the program itself makes the graph.
 ExitCode draw_step(Console console) {
   Case c;
   c.mixture.large = 2;
@@ -74,7 +74,7 @@ Command info_command() {
       .example = "furnas info --step | dot -Tsvg > step.svg",
       .setup =
           [step](CommandLine& app) {
-            app.flag("--step", *step, "draw the timestep in the language of Graphviz instead");
+            app.flag("--step", *step, "print a graph of the time step in the language of Graphviz instead");
           },
       .run = [step](Console console) { return *step ? draw_step(console) : print_build(console); },
   };

@@ -67,9 +67,9 @@ Command model_command() {
         app.add("--phi-mono", options->mono, "packing fraction of spheres of one size, in (0, 1)");
     app.add("--half-width", options->half_width, "half of its interval").not_negative().needs(mono);
     const Argument sweeps =
-        app.add("--sweep", options->sweeps, "folders of sweeps to take phi_mono from").excludes(mono);
-    app.add("--friction", options->friction, "mu of the samples of one size").needs(sweeps);
-    app.add("--step", options->step, "of f_s in the table").between(1e-4, 1.0).showing_default();
+        app.add("--sweep", options->sweeps, "folders of sweeps from which phi_mono is taken").excludes(mono);
+    app.add("--friction", options->friction, "mu of the samples of equal spheres").needs(sweeps);
+    app.add("--step", options->step, "step of f_s in the table").between(1e-4, 1.0).showing_default();
     app.add("--out", options->out, "file for the table, CSV");
   };
   command.run = [options](Console console) {

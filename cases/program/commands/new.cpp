@@ -20,7 +20,7 @@ namespace {
 
 struct Name {
   std::string_view name;  ///< what the user types
-  std::string_view file;  ///< the case file of cases/ that it stands for
+  std::string_view file;  ///< the case file in cases/ of this name
 };
 
 constexpr auto names = std::to_array<Name>({
@@ -66,7 +66,7 @@ std::string known_names() {
 void write_new(const std::string& file, std::string_view text) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "wx"), &std::fclose);
   if (!stream && errno == EEXIST)
-    throw InputError(fmt::format("{} exists and is left as it is; give another name", file));
+    throw InputError(fmt::format("{} exists and is not overwritten; give another name", file));
   if (!stream)
     throw InputError(fmt::format("{} cannot be written: {}", file, std::generic_category().message(errno)));
   if (std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() || std::fflush(stream.get()) != 0)

@@ -22,7 +22,7 @@ struct Options {
   std::string out;
 };
 
-/// A file name says its format; without one all three are written.
+/// The extension of a file name determines the format; without an extension all three formats are written.
 std::vector<fs::path> files_of(const std::string& out, const Plot& plot, const fs::path& sweep) {
   const fs::path base = out.empty() ? sweep / "plots" / plot.name : fs::path(out);
   const std::string extension = base.extension().string();
@@ -50,8 +50,8 @@ Command plot_command() {
     app.add("--y", options->order.y,
             "mean of points.csv, column of sweep.csv or number of result.json (\"stress.xx\")")
         .showing_default();
-    app.add("--by", options->order.by, "keys that tell curves apart; default: all others that vary");
-    app.add("--where", options->order.where, "key=value: these samples alone");
+    app.add("--by", options->order.by, "keys that differ between curves; default: all other keys that vary");
+    app.add("--where", options->order.where, "key=value: only the samples with this value");
     app.add("--out", options->out,
             "file.svg, file.png or file.csv, or a name for all three; default: plots/ in the first sweep's");
   };

@@ -67,7 +67,8 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   picture.width = picture.height = options.size;
   picture.style = styles.at(options.style);
   picture.colouring = colourings.at(options.colour);
-  // The block of Fig. 1a has its colours explained where it is shown; those of many sizes need a scale.
+  // The caption of Fig. 1a explains the colours of two species; colours of many sizes need a scale in the
+  // picture.
   if (picture.style == PictureStyle::block && picture.colouring == Colouring::species &&
       !is_polydisperse(source.packing))
     picture.key = false;
@@ -81,7 +82,7 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
   return picture;
 }
 
-/// The packing, with overlaps as contacts where the picture is of contacts and the file has none.
+/// The packing. If the picture needs contacts and the file has none, overlaps are taken as contacts.
 PackingSource drawn_source(const std::string& name, const Options& options) {
   PackingSource source = packing_source(name, options.frame);
   const bool asks_for_contacts = options.colour != "species" || options.style == "chains";
@@ -95,7 +96,7 @@ fs::path numbered(const fs::path& out, int number) {
   return out.parent_path() / fmt::format("{}_{:04}{}", out.stem().string(), number, out.extension().string());
 }
 
-/// Joins the numbered pictures into a film beside them where ffmpeg is installed; says what came of it.
+/// Joins the numbered pictures into a film in the same folder if ffmpeg is installed, and prints the result.
 void film(const fs::path& out, Console console) {
   namespace bp = boost::process;
   const auto ffmpeg = bp::search_path("ffmpeg");
@@ -113,7 +114,7 @@ void film(const fs::path& out, Console console) {
   console.out << mp4.string() << '\n';
 }
 
-/// The packing from all sides, once around.
+/// Pictures of the packing from all sides, in one full turn.
 void render_turning(const Options& options, const PackingSource& source, Console console) {
   PictureOptions picture = picture_of(options, source);
   picture.room = room_of(source.packing, picture.times);
@@ -126,16 +127,16 @@ void render_turning(const Options& options, const PackingSource& source, Console
   film(options.out, console);
 }
 
-/// Every frame that the run has saved, all on one scale.
+/// Pictures of all saved frames of the run, all with the same scale.
 void render_compaction(const Options& options, Console console) {
   const fs::path folder = options.source;
   if (!fs::exists(folder / "frames.pvd"))
-    throw InputError(options.source +
-                     ": no frames.pvd in it; a run with output.snapshot_phi or output.snapshot_every above 0 "
-                     "writes one");
+    throw InputError(
+        options.source +
+        ": no frames.pvd in it; a run with output.snapshot_phi or output.snapshot_every above 0 writes one");
   PictureOptions picture;
   int n = 0;
-  double drawn = -1;  // time of the last one
+  double drawn = -1;  // time of the last frame drawn
   const auto draw = [&](const PackingSource& source) {
     if (source.packing.time <= drawn) return;
     drawn = source.packing.time;
@@ -149,7 +150,7 @@ void render_compaction(const Options& options, Console console) {
   };
   for (const SavedFrame& frame : read_frames(folder / "frames.pvd"))
     draw(drawn_source((folder / frame.file).string(), options));
-  draw(drawn_source(options.source, options));  // where the run stands
+  draw(drawn_source(options.source, options));  // the present state of the run
   film(options.out, console);
 }
 
@@ -170,22 +171,23 @@ Command render_command() {
     app.add("--style", options->style,
             "fig1a: a solid block of spheres (default); chains: contacts as tubes, by their force")
         .one_of(names_of(styles));
-    app.add("--colour,--color", options->colour, "what the colour of a sphere says (default: species)")
+    app.add("--colour,--color", options->colour,
+            "the quantity that the colour of a sphere shows (default: species)")
         .one_of(names_of(colourings));
     app.add("--size", options->size, "edge of the picture in pixels").between(16, 16384).showing_default();
     app.add("--times", options->times, "repeat the cell along its edges, e.g. 10x10x10").showing_default();
     app.add("--slice", options->slice, "only the spheres with their centres in a slab, e.g. z=0.4:0.6");
-    app.add("--turn", picture.turn, "move the eye about the vertical [degrees]").showing_default();
+    app.add("--turn", picture.turn, "turn the point of view about the vertical axis [degrees]")
+        .showing_default();
     const Argument turning = app.add("--turning", options->turning,
-                                     "so many numbered pictures once around, and a film if ffmpeg is there")
+                                     "number of pictures of one full turn; and a film if ffmpeg is installed")
                                  .between(2, 9999);
     app.flag("--compaction", options->compaction,
              "a numbered picture of each frame of a run (output.snapshot_phi or output.snapshot_every) and "
-             "of its "
-             "end, and a film")
+             "of the end of the run, and a film")
         .excludes(turning);
     app.flag(
-        "--no-key", [&picture] { picture.key = false; }, "do not draw what the colours mean");
+        "--no-key", [&picture] { picture.key = false; }, "leave out the legend of the colours");
     app.flag("--transparent", picture.transparent, "no background instead of a white one");
     app.flag(
         "--no-cell", [&picture] { picture.cell = false; }, "leave out the edges of the periodic cell");

@@ -29,8 +29,8 @@ Command replicate_command() {
         .required();
     app.add("--times", options->times, "how often along each edge, e.g. 2x2x2").required();
     app.flag("--start", options->start,
-             "leave contacts and forces out: a third of the memory, and a run that begins with it takes its "
-             "forces anew, without histories");
+             "leave out contacts and forces; this needs a third of the memory, and a run that starts from "
+             "the file computes new forces, without histories");
   };
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);

@@ -23,15 +23,19 @@ Command resume_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "resume";
-  command.does = "go on with a stopped run";
+  command.does = "continue a stopped run";
   command.example = "furnas resume runs/first_packing --threads 2";
   command.setup = [options](CommandLine& app) {
     app.add("DIR", options->folder, "folder of the run").required();
     app.add("--walltime", options->walltime, "stop and save after e.g. 90s, 30m, 2h or 1d");
     app.add("--threads", options->threads, "compute.threads");
-    const Argument steps = app.add("--steps", options->steps, "stop.steps, to give a spent budget more");
-    app.add("--more", options->more, "steps beyond those that are done").above_zero().excludes(steps);
-    app.add("--phi-error", options->phi_error, "stop.phi_error, to carry a settled run on; 0: to rest");
+    const Argument steps =
+        app.add("--steps", options->steps, "new value of stop.steps, to extend a spent budget");
+    app.add("--more", options->more, "number of steps beyond those already done")
+        .above_zero()
+        .excludes(steps);
+    app.add("--phi-error", options->phi_error,
+            "new value of stop.phi_error, to continue a settled run; 0: until it is at rest");
   };
   command.run = [options](Console console) {
     std::vector<std::string> set;

@@ -24,7 +24,7 @@ struct Options {
   std::optional<std::int64_t> seed;
 };
 
-/// Placing 2.6e7 spheres takes a minute, before there is any progress to show.
+/// Placing 2.6e7 spheres takes a minute, during which there is no progress to show.
 void announce_start(const Case& c, Console console) {
   constexpr double many = 1e6;
   if (!c.start.file.empty() || !c.mixture.diameters.empty()) return;

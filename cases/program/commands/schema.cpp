@@ -21,13 +21,14 @@ struct Options {
 
 std::string default_text(const Key& key) {
   const std::string value = value_text(key, Case{});
-  return value.empty() ? fmt::format("left out; {} counts", key.rival) : value;
+  return value.empty() ? fmt::format("left out; {} is used", key.rival) : value;
 }
 
 constexpr std::string_view sweep_doc =
-    R"([sweep] makes many cases of one, for `furnas sweep`: every combination of the values of its keys, each with
-several seeds. A key is any key of the tables above in quotes, with one value or a list; `samples` (an integer,
-default 1) says how many seeds, from mixture.seed on. Several grids are several [[sweep]].
+    R"([sweep] turns one case into many, for `furnas sweep`: every combination of the values of its keys, each
+with several seeds. A key is any key of the tables above, in quotes, with one value or a list of values;
+`samples` (an integer, default 1) is the number of seeds, from mixture.seed on. Each [[sweep]] is a grid of
+values of its own.
 
     [sweep]
     "mixture.small_fraction" = [0.1, 0.2, 0.3]
@@ -50,7 +51,7 @@ void print_text(std::ostream& out) {
 constexpr std::string_view introduction = R"(# The case file
 
 A case is a TOML file. Every key has a default, so an empty file is a case; every key is checked for its type
-and its range, and one that is not listed here is an error. Lengths are in d_s (diameter of a small sphere),
+and its range, and a key that is not listed here is an error. Lengths are in d_s (diameter of a small sphere),
 masses in rho d_s^3, forces in k_n d_s; t_c is the collision time of two small spheres. A key is set from the
 command line with `--set table.key=value`.
 
@@ -68,8 +69,7 @@ void print_markdown(std::ostream& out) {
     out << fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key), key.unit,
                        default_text(key), allowed_text(key), key.doc);
   }
-  out << "\n## Presets\n\nThe values of a preset stand in for the defaults; a key that the case gives counts "
-         "before "
+  out << "\n## Presets\n\nA preset replaces the defaults of its keys. A value that the case gives replaces "
          "both.\n\n| preset | what it is | keys |\n|---|---|---|\n";
   for (const Preset& preset : presets())
     out << fmt::format("| `{}` | {} | `{}` |\n", preset.name, preset.does,
@@ -83,11 +83,11 @@ Command schema_command() {
   const auto options = std::make_shared<Options>();
   return {
       .name = "schema",
-      .does = "list every key of the case file, or what the files of runs and sweeps hold",
+      .does = "list every key of the case file, or describe the files of runs and sweeps",
       .example = "furnas schema --markdown > docs/reference/case-file.md",
       .setup =
           [options](CommandLine& app) {
-            app.flag("--markdown", options->markdown, "as the page docs/reference/case-file.md");
+            app.flag("--markdown", options->markdown, "print the page docs/reference/case-file.md");
             app.flag("--outputs", options->outputs,
                      "every field, column and array of the files that runs and sweeps write, as the page "
                      "docs/reference/outputs.md");

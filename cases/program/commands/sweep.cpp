@@ -27,7 +27,7 @@ struct Options {
   bool refine = false, leave = false, slurm = false;
 };
 
-/// The call of a worker, for another folder to be called in.
+/// The command line of a worker, which also works from another current directory.
 std::vector<std::string> command_of(const Options& o, const fs::path& folder) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep",
                                  fs::absolute(o.file).lexically_normal().string(), "--out", folder.string()};
@@ -38,7 +38,7 @@ std::vector<std::string> command_of(const Options& o, const fs::path& folder) {
   return words;
 }
 
-/// Writes the script that does the sweep in Slurm, and says how to submit it.
+/// Writes the script that runs the sweep in Slurm, and prints how to submit it.
 ExitCode write_slurm(const Options& o, const SweepOrder& order, Console console) {
   const fs::path folder = fs::absolute(order.folder).lexically_normal();
   std::vector<Sample> samples = samples_of(order.file, keys_of(order.file), folder);
@@ -65,28 +65,30 @@ Command sweep_command() {
   auto options = std::make_shared<Options>();
   Command command;
   command.name = "sweep";
-  command.does = "run the samples of a case with [sweep], several at once; again: go on with it, or help";
+  command.does =
+      "run the samples of a case with [sweep], several at once; the same command again continues it or helps";
   command.example = "furnas sweep cases/study/smoke.toml --out runs/smoke";
   command.setup = [options](CommandLine& app) {
     app.add("CASE", options->file, "case file with [sweep], or any with --samples").required();
     app.add("--out", options->out, "folder for the samples and tables; default: runs/<case>");
-    app.add("--set", options->set, "change a key of the case that the sweep leaves alone");
+    app.add("--set", options->set, "change a key of the case that the sweep does not set");
     app.add("--jobs", options->jobs, "threads of all samples together; default: all of the machine")
         .between(1, 1024);
-    app.add("--samples", options->samples, "seeds at each point, instead of sweep.samples")
+    app.add("--samples", options->samples, "number of seeds at each point, instead of sweep.samples")
         .between(1, 100'000);
     app.flag("--refine", options->refine,
              "add points around the maximum of each phi_J(f_s), until f_max is known to +-0.01");
     app.add("--walltime", options->walltime, "save all samples and stop after e.g. 90s, 30m, 2h or 1d");
     app.flag("--leave", options->leave,
-             "end when all that is left is run by other workers on the folder; else wait, and take over what "
-             "a lost one leaves");
-    app.add("--takeover", options->takeover,
-            "so long after this worker's last sign of life others may take its samples; default: 2m");
-    const Argument slurm =
-        app.flag("--slurm", options->slurm,
-                 "run nothing, but write a job array for Slurm; --jobs and --walltime are those of a task");
-    app.add("--partition", options->partition, "of Slurm").needs(slurm);
+             "end when other workers on the folder run all samples that are left; default: wait, and take "
+             "over the samples of lost workers");
+    app.add(
+        "--takeover", options->takeover,
+        "time without a sign of life of this worker after which others may take its samples; default: 2m");
+    const Argument slurm = app.flag(
+        "--slurm", options->slurm,
+        "run nothing, but write a job array for Slurm; --jobs and --walltime then apply to each task");
+    app.add("--partition", options->partition, "partition of Slurm").needs(slurm);
   };
   command.run = [options](Console console) {
     const bool one_point = options->samples > 0 && !holds_sweep(options->file);

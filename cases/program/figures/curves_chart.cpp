@@ -20,7 +20,8 @@ constexpr std::array curve_markers{Marker::circle, Marker::square, Marker::diamo
 constexpr std::array line_styles{LineStyle::solid, LineStyle::dashed, LineStyle::dotted};
 constexpr const char* fraction_key = "mixture.small_fraction";
 
-/// All that equal spheres and a mixture must share for the model of the one to stand for the other.
+/// The settings that equal spheres must share with a mixture, so that the model of the mixture can use their
+/// phi.
 using Rules = std::vector<std::string>;
 
 class CurvesChart {
@@ -71,7 +72,7 @@ class CurvesChart {
       }
     constexpr double wide = 30;
     chart_.x.logarithmic = places.size() > 2 && low > 0 && high / low > wide;
-    if (places.size() > 1) {  // points on the frame would not be seen well
+    if (places.size() > 1) {  // keeps points off the frame
       constexpr double margin = 0.05;
       const double room = margin * (high - low), factor = std::pow(high / low, margin);
       chart_.x.low = chart_.x.logarithmic ? low / factor : low - room;
@@ -80,7 +81,7 @@ class CurvesChart {
     chart_.title = title();
   }
 
-  /// The keys that every reader asks for and that are the same in all samples.
+  /// The most important keys, as far as they have one value in all samples.
   std::string title() const {
     std::string text;
     for (const char* key : {"mixture.size_ratio", fraction_key, "contact.friction", "compaction.pressure"}) {
@@ -108,7 +109,7 @@ class CurvesChart {
     return name.empty() ? "measured" : name;
   }
 
-  /// What the samples of a point say together.
+  /// The means over the samples of a point.
   static Point point_of(const Gathered& all, const std::vector<std::size_t>& rows) {
     SampleTable table;
     for (const std::size_t k : rows) {
@@ -119,7 +120,7 @@ class CurvesChart {
   }
 
   std::optional<MeanInterval> mean_of(const std::vector<std::size_t>& rows, const Point& point) const {
-    if (subject_.y.name == "phi_J") return point.mean_phi_J;  // with the bounds of settled samples
+    if (subject_.y.name == "phi_J") return point.mean_phi_J;  // includes the bounds of settled samples
     std::vector<double> values;
     for (const std::size_t k : rows)
       if (const auto value = subject_.y.of(row(k), subject_.all.runs[k])) values.push_back(*value);
@@ -157,7 +158,7 @@ class CurvesChart {
     return rules;
   }
 
-  /// phi_mono of each set of rules, of the largest samples of equal spheres.
+  /// phi_mono for each set of rules, from the largest samples of equal spheres.
   std::map<Rules, FurnasInterval> models() const {
     std::map<Rules, std::vector<std::size_t>> of_rules;
     const auto& equal = subject_.equal;
@@ -175,8 +176,8 @@ class CurvesChart {
 
   void add_models() {
     const auto known = models();
-    std::map<Rules, std::vector<std::size_t>> curves_of_rules;  // of mixtures
-    std::map<Rules, std::size_t> missing;                       // and a row of it
+    std::map<Rules, std::vector<std::size_t>> curves_of_rules;  // curves of mixtures
+    std::map<Rules, std::size_t> missing;                       // rules without a model, and a row of each
     for (std::size_t n = 0; n < curves_.size(); ++n)
       for (const auto& [x, rows] : curves_[n].points) {
         if (row(rows.front()).size_ratio == 1) continue;

@@ -12,21 +12,22 @@ namespace furnas {
 
 /// The samples that make one curve.
 struct CurveOfSamples {
-  std::vector<std::string> values;                    ///< of the keys that tell the curves apart
+  std::vector<std::string> values;                    ///< of the keys that differ between curves
   std::map<double, std::vector<std::size_t>> points;  ///< at each x the rows of its samples
 };
 
-/// What is drawn against what.
+/// The quantities on the axes, and the samples.
 struct CurvesSubject {
   const Gathered& all;
-  const Gathered& equal;  ///< samples of equal spheres, with the same keys, from which the model follows
+  const Gathered& equal;  ///< samples of equal spheres, with the same keys, for the model
   const Quantity& y;
   std::string x;                ///< a key
-  std::vector<std::string> by;  ///< the keys that tell the curves apart
+  std::vector<std::string> by;  ///< the keys that differ between curves
 };
 
-/// The means of the samples with their intervals, open where cells are too thin; for phi_J also what the
-/// Furnas model says, where there are equal spheres of the same settings. Adds to `remarks` what is missing.
+/// Chart of the means of the samples with their intervals. Symbols are open where cells are too thin. For
+/// phi_J the chart includes the Furnas model, where there are equal spheres with the same settings. Adds a
+/// remark on each missing part to `remarks`.
 Chart chart_of(const std::vector<CurveOfSamples>& curves, const CurvesSubject& subject,
                std::vector<std::string>& remarks);
 

@@ -25,7 +25,7 @@ Series measured(std::string name, std::size_t n, LineStyle line = LineStyle::sol
   return s;
 }
 
-/// Adds a point; a single sample has no bar, and that of a cell too thin is open.
+/// Adds a point. A single sample has no error bar, and a point of a too thin cell has an open symbol.
 void add(Series& s, double x, const Interval& y, bool thin = false) {
   s.x.push_back(x);
   s.y.push_back(y.value);
@@ -38,7 +38,7 @@ void add(Series& s, double x, const MeanInterval& mean, bool thin = false) {
   add(s, x, Interval{mean.mean, mean.low(), mean.high()}, thin);
 }
 
-/// Says what open symbols are, where there are some.
+/// Adds an entry for open symbols to the legend, if there are any.
 void explain_open(Chart& chart) {
   const auto has_open = [](const Series& s) {
     return std::find(s.open.begin(), s.open.end(), true) != s.open.end();
@@ -73,7 +73,7 @@ std::string model_name(const FurnasInterval& model) {
   return fmt::format("model, φ_{{mono}} = {:.3f}", model.middle().mono);
 }
 
-/// A value at each point of each curve of a friction, with the model's beside it.
+/// A value at each point of each curve of one friction, and the value of the model.
 template <class Value>
 Chart curves_chart(const Study& study, double friction, const std::string& y, Value&& value) {
   Chart chart = over_fractions(y);
@@ -97,7 +97,8 @@ void add_curves(const Study& study, std::vector<Figure>& figures) {
   for (const double mu : study.frictions()) {
     Chart chart = curves_chart(study, mu, "φ_J", [](const MeanInterval& phi, double) { return phi; });
     if (const Point* mono = study.mono_at(mu)) {
-      // All are large at one end and small at the other; after the model in the legend.
+      // Equal spheres are both ends of the curve: all large at f_s = 0, all small at f_s = 1. Follows the
+      // model in the legend.
       Series s = measured("α = 1", 4, LineStyle::none);
       s.colour = black;
       for (const double f : {0.0, 1.0}) add(s, f, *mono->mean_phi_J, mono->too_thin());
@@ -113,7 +114,7 @@ void add_curves(const Study& study, std::vector<Figure>& figures) {
   }
 }
 
-/// d(phi_S)/d(phi) carries the interval over.
+/// The interval is multiplied by d(phi_S)/d(phi).
 MeanInterval in_voids(const MeanInterval& phi, double f) {
   MeanInterval m = phi;
   m.mean = fraction_in_voids(phi.mean, f);
@@ -158,7 +159,7 @@ Chart over_frictions(const Study& study, std::string y) {
   return chart;
 }
 
-/// The model against friction, for the frictions that have a phi_mono.
+/// A quantity of the model against friction, for the frictions with a known phi_mono.
 Series model_points(const Study& study, std::string name, LineStyle line,
                     Interval (*value)(const FurnasInterval&)) {
   Series s{std::move(name)};
@@ -207,7 +208,7 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
                        std::move(f)});
 }
 
-/// The part of its interval that a share can be in; a single sample has none.
+/// The interval of a share, cut to 0 ... 1; a single sample has none.
 Interval of_share(const MeanInterval& share) {
   if (share.samples < 2) return {share.mean, share.mean, share.mean};
   return {share.mean, std::max(share.low(), 0.0), std::min(share.high(), 1.0)};
@@ -252,7 +253,7 @@ void add_history(const Study& study, std::vector<Figure>& figures) {
   pressure.colour = vermilion;
   pressure.line = LineStyle::dashed;
   const double applied =
-      columns[2].empty() ? 1 : columns[2].back();  // at rest the pressure is the applied one
+      columns[2].empty() ? 1 : columns[2].back();  // at rest this pressure equals the applied pressure
   for (std::size_t k = 0; k < columns[0].size(); ++k) {
     if (!(columns[0][k] > 0)) continue;
     phi.x.push_back(columns[0][k]);

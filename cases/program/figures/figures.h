@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// A figure of the paper, or one beside it.
+/// A figure of the paper, or an additional figure.
 struct Figure {
   std::string name;     ///< of its files, without extension
   std::string caption;  ///< a sentence
@@ -21,8 +21,8 @@ std::vector<Figure> figures_of(const Study& study);
 /// A series without points, for the legend of a chart with open symbols.
 Series open_symbol();
 
-/// What a chart shows as numbers: series, x, y, the ends of the error bar, and "yes" where the cell is too
-/// thin; x and y under these names.
+/// The numbers in a chart: series, x, y, the ends of the error bar, and "yes" where the cell is too thin. `x`
+/// and `y` are the names of the columns.
 std::string csv(const Chart& chart, const std::string& x = "x", const std::string& y = "y");
 
 }  // namespace furnas

@@ -23,20 +23,20 @@ using Settings = std::map<std::string, std::string, std::less<>>;
 const std::vector<std::string> keys_of_the_paper{"mixture.size_ratio", "mixture.small_fraction",
                                                  "contact.friction"};
 
-/// Numbers in one spelling, whoever wrote them.
+/// A number in a unique spelling, so that equal numbers are equal texts.
 std::string spelt(const std::string& value) {
   const std::optional<double> number = number_in<double>(value);
   return number ? fmt::format("{}", *number) : value;
 }
 
-/// A value as tables have it: no quotes, blanks or commas.
+/// A value in the form of a table: no quotes, blanks or commas.
 std::string plain(std::string value) {
   std::erase_if(value, [](char c) { return c == '"' || c == '\'' || c == ' '; });
   std::replace(value.begin(), value.end(), ',', ';');
   return spelt(value);
 }
 
-/// What the case of a sweep sets for all of its samples.
+/// The keys that the case of a sweep sets for all its samples and that bear on phi_J.
 Settings settings_of(const Case& c) {
   Settings settings;
   for (const Key& key : case_keys())
@@ -44,10 +44,10 @@ Settings settings_of(const Case& c) {
   return settings;
 }
 
-/// Whether the spheres are those of size_ratio and small_fraction, and not of a file.
+/// Whether size_ratio and small_fraction determine the spheres, rather than a file.
 bool of_two_sizes(const Case& c) { return c.start.file.empty() && c.mixture.diameters.empty(); }
 
-/// Takes out what says nothing of spheres that a file lists.
+/// Removes the keys that have no meaning for spheres from a file.
 void forget_sizes(Settings& settings) {
   for (const char* key : {"mixture.size_ratio", "mixture.small_fraction"}) settings.erase(key);
 }
@@ -78,7 +78,8 @@ std::vector<Known> samples_in(const fs::path& folder, bool& of_known_case) {
   return all;
 }
 
-/// The keys that tell the samples apart, in the order of the case file behind those of the paper.
+/// The keys that differ between samples: first those of the paper, then the others in the order of the case
+/// file.
 std::vector<std::string> keys_of(const std::vector<Known>& samples, const std::set<std::string>& columns) {
   std::map<std::string, std::set<std::string>> values;
   for (const Known& sample : samples)
@@ -140,8 +141,8 @@ Gathered gather(const std::vector<fs::path>& folders) {
   if (folders.size() > 1)
     for (const std::string& folder : without_case)
       all.remarks.push_back(fmt::format(
-          "{} has no {}: it is assumed that its samples were made with the same settings as the others", folder,
-          base_case_name));
+          "{} has no {}: it is assumed that its samples were made with the same settings as the others",
+          folder, base_case_name));
   return all;
 }
 

@@ -8,23 +8,23 @@
 
 namespace furnas {
 
-/// The key that samples of different size differ in.
+/// The key that sets the size of a sample.
 inline constexpr const char* number_of_large = "mixture.large";
 
 /// A key of the case and the values it takes among some samples.
 struct VaryingKey {
   std::string key;
-  std::vector<std::string> values;  ///< each once, numbers ascending
+  std::vector<std::string> values;  ///< without repetition, numbers in ascending order
 };
 
-/// The samples of several sweeps in one table, told apart by all that bears on phi_J.
+/// The samples of several sweeps in one table, whose keys include all that bear on phi_J and differ.
 struct Gathered {
   /// Its keys are size_ratio, small_fraction, friction, those of the sweeps, and those in which the cases of
-  /// the sweeps differ. Numbers have one spelling; an empty value is not known.
+  /// the sweeps differ. Equal numbers have equal spellings; an empty value is not known.
   SampleTable table;
-  std::vector<std::filesystem::path> runs;    ///< the folder of each row's run, whether it is there or not
+  std::vector<std::filesystem::path> runs;    ///< the folder of each row's run, which need not exist
   std::vector<std::filesystem::path> sweeps;  ///< the folder of each row's sweep
-  std::vector<std::string> remarks;           ///< what the reader ought to know, in sentences
+  std::vector<std::string> remarks;           ///< remarks for the reader, in sentences
 
   /// Keys with several values among the samples.
   std::vector<VaryingKey> varying() const;
@@ -33,7 +33,7 @@ struct Gathered {
 /// Reads the tables of the folders of sweeps. The same run in two folders counts once. Throws InputError.
 Gathered gather(const std::vector<std::filesystem::path>& folders);
 
-/// The command that makes equal spheres by the rules of a sweep, from which the model follows.
+/// The command that makes samples of equal spheres with the settings of a sweep; the model needs them.
 std::string command_for_equal_spheres(const std::filesystem::path& sweep, double friction);
 
 }  // namespace furnas

@@ -19,7 +19,7 @@ namespace {
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// The key of this name, of this name without its table, or of this symbol.
+/// Finds a key by its full name, its name without the table, or its symbol.
 std::string key_named(const std::string& name, const Gathered& all, const char* option) {
   for (const std::string& key : all.table.keys)
     if (key == name || name_in(key) == name || key == key_of_symbol(name)) return key;
@@ -32,7 +32,7 @@ std::size_t place_of(const Gathered& all, const std::string& key) {
                                   all.table.keys.begin());
 }
 
-/// Leaves out the rows for which `out` says so.
+/// Removes the rows for which `out` is true.
 template <class Out>
 void leave_out(Gathered& all, Out&& out) {
   Gathered kept{{all.table.keys, {}}, {}, {}, all.remarks};
@@ -62,7 +62,7 @@ void choose(Gathered& all, const std::string& where) {
         fmt::format("--where {}: no sample has that; allowed: {} = {}", where, key, fmt::join(known, ", ")));
 }
 
-/// The key for x where none is named.
+/// The default key for x.
 std::string obvious_x(const std::vector<VaryingKey>& varying) {
   std::vector<std::string> numbers;
   for (const VaryingKey& v : varying)
@@ -78,7 +78,7 @@ std::string obvious_x(const std::vector<VaryingKey>& varying) {
                   all.empty() ? "these samples have none" : fmt::format("{}", fmt::join(all, ", "))));
 }
 
-/// The samples of one point of a curve may differ in no other key.
+/// Refuses points whose samples differ in a further key.
 void refuse_mixed_points(const std::vector<CurveOfSamples>& curves, const Gathered& all,
                          const std::string& x_key) {
   for (const CurveOfSamples& curve : curves)

@@ -20,13 +20,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// In charts '_' lowers the next letter.
+/// In the text of a chart, '_' makes the next letter a subscript.
 std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// A mean of points.csv of one sample is what points_of finds for it alone.
+/// The value for one sample of a mean in points.csv: points_of() of a table with this sample alone.
 Quantity mean_of(const PointColumn& column) {
   Quantity quantity{std::string(column.about.name), std::string(column.title), {}};
   quantity.of = [&column](const SampleRow& row, const std::filesystem::path&) -> std::optional<double> {
@@ -44,7 +44,7 @@ Quantity column_of(const SampleColumn& column) {
           [&column](const SampleRow& row, const std::filesystem::path&) { return number_of(column, row); }};
 }
 
-/// What stands in the result.json of a run under a name with dots.
+/// The number in the result.json of a run under a name with dots.
 std::optional<double> field_of_result(const std::string& name, const std::filesystem::path& run) {
   const std::filesystem::path path = run / "result.json";
   std::ifstream file(path);
@@ -84,7 +84,7 @@ std::optional<double> field_of_result(const std::string& name, const std::filesy
 }
 
 struct KnownKey {
-  std::string_view key, word, symbol, unit;  ///< the word is the symbol as it can be typed
+  std::string_view key, word, symbol, unit;  ///< `word` is the symbol in ASCII
 };
 
 constexpr KnownKey known_keys[] = {

@@ -14,17 +14,17 @@ namespace furnas {
 struct Quantity {
   std::string name;   ///< "phi_J", "energy.kinetic"
   std::string title;  ///< for the axis of a chart
-  /// Its value for a sample, whose run lies in the folder; nothing if it has none. Throws InputError.
+  /// Its value for a sample, whose run is in the folder; empty if the sample has none. Throws InputError.
   std::function<std::optional<double>(const SampleRow& row, const std::filesystem::path& run)> of;
-  double least = -std::numeric_limits<double>::infinity();  ///< that it can be
-  double most = std::numeric_limits<double>::infinity();    ///< that it can be
+  double least = -std::numeric_limits<double>::infinity();  ///< least possible value
+  double most = std::numeric_limits<double>::infinity();    ///< largest possible value
 };
 
-/// The quantity of this name: a mean of points.csv; or else a column of sweep.csv; or else a number of
-/// result.json, with dots between what is nested ("stress.xx"). Throws InputError for a word.
+/// The quantity of this name: a mean of points.csv, or else a column of sweep.csv, or else a number of
+/// result.json, with dots between nested names ("stress.xx"). Throws InputError if its values are words.
 Quantity quantity_named(const std::string& name);
 
-/// The key that a symbol of docs/reference/notation.md stands for, as "f_s"; empty if there is none.
+/// The key for a symbol of docs/reference/notation.md such as "f_s"; empty if there is none.
 std::string key_of_symbol(const std::string& symbol);
 
 /// A key of the case on the axis of a chart: "μ", "p_a / (k_n/d_s)", "cell damping".

@@ -63,7 +63,7 @@ std::string points_table(const Study& study) {
       "φ_J | ± (95 %) | finite size | effective size | thickness |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Point& p : study.points) {
-    if (p.unfinished == p.samples) continue;  // nothing is known of it
+    if (p.unfinished == p.samples) continue;  // without a finished sample there is nothing to report
     const auto& phi = p.mean_phi_J;
     text += fmt::format(
         "| {} | {} | {} | {} | {} | {} | {} | {} of {} | {} | {} | {} | {} | {} | {} | {} | {:.0f} | {}{} "
@@ -85,10 +85,10 @@ std::string report(const Study& study, const std::vector<Figure>& figures) {
   std::string text = R"(# The study beside the paper
 
 Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
-Written by `furnas figures`. Means are those of jammed samples, and of settled ones where a table counts some: phi with a bound on what may still
-come, by which intervals are wider. Intervals are Student's t, 95 %. n: samples.
-*Not reachable here*: there are no samples for it, or so few or so small ones that their intervals leave it open.
-A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and decide no statement.
+Written by `furnas figures`. Means are over jammed samples and, where a table counts some, settled samples. phi of a settled sample has a bound on its
+further change, which widens the interval. Intervals are 95 % intervals of Student's t; n is the number of samples.
+*Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
+A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and are not used for any statement.
 
 )";
   for (const std::string& remark : study.remarks) text += remark + ".\n\n";
@@ -97,10 +97,11 @@ A cell thinner than 3 largest diameters does not stand for a large packing: its 
   if (!study.curves.empty()) text += "\n## The densest mixtures\n\n" + maxima_table(study);
   text +=
       "\n## Samples\n\nThe effective size is the number of backbone spheres of all jammed and settled "
-      "samples together. Where the small spheres rattle only the large ones count. Finite size: what φ_J of "
-      "a "
-      "large packing is above that of so many spheres, as far as this study has measured it. Thickness: of "
-      "the thinnest cell, in largest diameters; at most so much where tables of older versions do not tell. "
+      "samples together. Where the small spheres rattle only the large ones count. Finite size: φ_J of a "
+      "large packing minus φ_J of a packing of this many spheres, as far as this study has measured it. "
+      "Thickness: of "
+      "the thinnest cell, in largest diameters; an upper bound, marked at most, where tables of older "
+      "versions do not contain it. "
       "Points of which no sample is finished are left out.\n\n";
   text += points_table(study);
   text += "\n## Figures\n";

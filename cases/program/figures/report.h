@@ -7,23 +7,23 @@
 
 namespace furnas {
 
-/// What a study says of a statement of the paper.
+/// Whether a study reproduces a statement of the paper; not_reachable: its data cannot decide.
 enum class Agreement { reproduced, not_reproduced, not_reachable };
 
-/// A statement of the paper beside what a study has.
+/// A statement of the paper beside the result of a study.
 struct Statement {
   std::string what;
-  std::string paper;  ///< its value
+  std::string paper;  ///< value in the paper
   std::string ours;   ///< with intervals; "-" without data
-  std::string n;      ///< samples behind it
+  std::string n;      ///< number of samples used
   Agreement agreement = Agreement::not_reachable;
-  std::string rule;  ///< when it counts as reproduced
+  std::string rule;  ///< condition for "reproduced"
 };
 
 /// The statements of the paper (arXiv 2105.00977), in its order.
 std::vector<Statement> statements_of(const Study& study);
 
-/// report.md: the statements, the numbers behind them, and the figures, which lie beside it.
+/// report.md: the statements, their numbers, and the figures, whose files are in the same folder.
 std::string report(const Study& study, const std::vector<Figure>& figures);
 
 }  // namespace furnas

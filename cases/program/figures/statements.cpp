@@ -13,8 +13,8 @@ std::string text_of(const MeanInterval& m) {
   return m.samples > 1 ? fmt::format("{:.4f} ± {:.4f}", m.mean, m.half_width) : fmt::format("{:.4f}", m.mean);
 }
 
-/// Half of the interval of phi_J. A lone sample has none: of 1000 large spheres it is known how they scatter
-/// (twice the standard deviation of docs/results/verification.md), of fewer nothing is said, nor of cells too
+/// Half of the interval of phi_J. For a single sample of at least 1000 large spheres it is twice the standard
+/// deviation of docs/results/verification.md. It is infinite for a single smaller sample, and for cells too
 /// thin.
 double reach_of(const Point& point) {
   constexpr double scatter = 0.004;
@@ -24,20 +24,22 @@ double reach_of(const Point& point) {
   return point.large >= many ? scatter : std::numeric_limits<double>::infinity();
 }
 
-/// What is to be positive, known +- reach: told only where the interval leaves no doubt.
+/// Whether a value, known +- reach, is positive; decided only where the whole interval has one sign.
 Agreement positive(double value, double reach) {
   if (value - reach > 0) return Agreement::reproduced;
   return value + reach <= 0 ? Agreement::not_reproduced : Agreement::not_reachable;
 }
 
-/// Compares a number of the paper with ours: the two may differ by our interval and by the shift of finite
-/// samples. Where our interval is wider than twice that shift, agreement proves nothing: not reachable.
+/// Compares a number of the paper with ours. The two may differ by our interval and by `tolerance`, the
+/// effect of finite samples. Where our interval is wider than twice the tolerance, agreement proves nothing,
+/// and the result is "not reachable".
 Agreement near(double ours, double reach, double paper, double tolerance) {
   if (std::abs(ours - paper) > tolerance + reach) return Agreement::not_reproduced;
   return reach > 2 * tolerance ? Agreement::not_reachable : Agreement::reproduced;
 }
 
-/// A part that is not reproduced decides for the whole; so does, after it, a part that is not reachable.
+/// The agreement of a whole: not reproduced if one part is not; else not reachable if one part is not; else
+/// reproduced.
 Agreement all_of(const std::vector<Agreement>& parts) {
   for (const Agreement worst : {Agreement::not_reproduced, Agreement::not_reachable})
     if (std::find(parts.begin(), parts.end(), worst) != parts.end()) return worst;
@@ -75,7 +77,7 @@ Statement point(const Study& study, double alpha, double mu, double f, double pa
   return s;
 }
 
-/// φ_max and f_max of a size ratio, with the model's.
+/// φ_max and f_max of a size ratio, and the model's values.
 struct Highest {
   double friction;
   CurveMaximum maximum;
@@ -83,7 +85,7 @@ struct Highest {
   std::optional<FurnasInterval> model;
 };
 
-/// A curve that is highest at one of its ends has not shown its maximum.
+/// Leaves out a curve that is highest at one of its ends, because its maximum may lie beyond.
 std::vector<Highest> maxima_at(const Study& study, double alpha) {
   std::vector<Highest> all;
   for (const double mu : study.frictions()) {
@@ -97,7 +99,7 @@ std::vector<Highest> maxima_at(const Study& study, double alpha) {
   return all;
 }
 
-/// The largest size ratio for which `answers`; 0 if there is none.
+/// The largest size ratio for which `answers` is true; 0 if there is none.
 template <class Answers>
 double largest_ratio(const Study& study, Answers&& answers) {
   const auto ratios = study.size_ratios();
@@ -152,7 +154,7 @@ Statement small_ratio(const Study& study) {
   return s;
 }
 
-/// Samples of a curve that have ended; the maximum is fitted to them.
+/// Number of finished samples of a curve, to which the maximum is fitted.
 std::size_t ended_samples(const Curve& curve) {
   std::size_t n = 0;
   for (const Point& p : curve.points) n += p.jammed + p.settled;
@@ -197,7 +199,7 @@ struct Shares {
   std::string text() const { return any() ? fmt::format("{:.3f} to {:.3f}", low, high) : "no point"; }
 };
 
-/// The share of rattlers among the small spheres of one size ratio, left and right of f_max, by the
+/// The share of rattlers among the small spheres of one size ratio, below and above f_max, with the
 /// thresholds of the study.
 struct Sides {
   Shares below, above;
@@ -260,7 +262,7 @@ Statement friction_lowers(const Study& study) {
             "no point where the larger friction is denser by more than its interval, and lower on average");
   const auto frictions = study.frictions();
   if (frictions.size() < 2) return s;
-  std::vector<double> falls;  // of each point
+  std::vector<double> falls;  // fall of phi_J at each point
   std::size_t n = 0;
   bool denied = false;
   for (const double ratio : study.size_ratios()) {
@@ -286,16 +288,15 @@ Statement friction_lowers(const Study& study) {
   return s;
 }
 
-/// Whether a curve has points on both sides of the model's maximum; without a model that is taken for
-/// granted.
+/// Whether a curve has points on both sides of the model's maximum; true without a model.
 bool spans_the_maximum(const Study& study, const Curve& curve) {
   const auto model = study.model(curve.friction());
   return !model || (curve.points.front().small_fraction < model->f_max().low &&
                     curve.points.back().small_fraction > model->f_max().high);
 }
 
-/// Whether a point within a curve lies above both of its ends: one that does so without doubt decides, else
-/// the highest.
+/// Whether a point within a curve lies above both ends of the curve. A point above both by more than the
+/// intervals decides; without one, the highest point decides.
 Agreement has_maximum(const Curve& curve) {
   const Point &first = curve.points.front(), &last = curve.points.back();
   const auto above = [](const Point& inner, const Point& end) {
@@ -337,8 +338,8 @@ Statement rises_and_falls(const Study& study) {
 }  // namespace
 
 std::vector<Statement> statements_of(const Study& study) {
-  // Without friction 1000 spheres lie 0.002 below large samples; with it the protocol moves phi_J by up to
-  // 0.01 (docs/results/verification.md).
+  // Without friction phi_J of 1000 spheres is 0.002 below that of large samples; with friction phi_J depends
+  // on the protocol by up to 0.01 (docs/results/verification.md).
   const Study thick = study.without_thin_cells();
   return {mono(study, 0, 0.638, 0.004),
           mono(study, 0.3, 0.588, 0.01),

@@ -22,7 +22,8 @@ std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
 
-/// Means of samples that differ in more than the paper varies would be of no experiment.
+/// Refuses samples that differ in keys that the paper does not vary, because their means would mix
+/// experiments.
 void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders) {
   std::string others, first;
   for (const VaryingKey& varying : all.varying()) {
@@ -47,7 +48,7 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
       fmt::join(names, ", "), others, fmt::join(keys, ", "), number_of_large, fmt::join(names, " "), first));
 }
 
-/// The history of a jammed sample of the largest size ratio and friction; empty if none is there.
+/// The history of a jammed sample of the largest size ratio and friction; empty if there is none.
 fs::path history_in(const Gathered& all) {
   fs::path history;
   std::tuple<double, double, double> best;
@@ -62,16 +63,16 @@ fs::path history_in(const Gathered& all) {
   return history;
 }
 
-/// The rows in one table of the paper's keys, sorted; those of the most large spheres at each place.
+/// A sorted table with the keys of the paper. At each point it has the rows with the most large spheres.
 SampleTable largest_of(const Gathered& gathered, std::vector<std::string>& remarks) {
   SampleTable all{keys, gathered.table.rows};
   std::map<std::tuple<double, double, double>, std::int64_t> most;
   for (SampleRow& row : all.rows) {
-    row.values.resize(keys.size());  // of the keys of the paper, which are the first
+    row.values.resize(keys.size());  // keeps the keys of the paper, which are the first
     auto& large = most[place_of(row)];
     large = std::max(large, row.large);
   }
-  // A failed sample has no result that would tell its size.
+  // A failed sample has no result and so no known size.
   const auto smaller = std::erase_if(
       all.rows, [&](const SampleRow& row) { return row.large > 0 && row.large < most[place_of(row)]; });
   if (smaller > 0)
@@ -124,7 +125,7 @@ std::optional<FurnasInterval> Study::model(double friction) const {
 
 FurnasInterval model_of(const MeanInterval& phi) {
   if (phi.samples < 2) return FurnasInterval(phi.mean, 0);
-  // The interval of two samples that differ can reach below 0 or above 1.
+  // The interval of two very different samples can reach below 0 or above 1.
   constexpr double emptiest = 1e-3, fullest = 1 - emptiest;
   return FurnasInterval(Interval{phi.mean, std::max(phi.low(), emptiest), std::min(phi.high(), fullest)});
 }

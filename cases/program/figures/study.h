@@ -10,19 +10,20 @@
 
 namespace furnas {
 
-/// What sweeps have found, in the order of the paper.
+/// The results of sweeps, in the order of the paper.
 struct Study {
   std::vector<Point> mono;        ///< size ratio 1 with a jammed or settled sample, friction ascending
   std::vector<Curve> curves;      ///< larger size ratios, ascending, and for each its frictions, ascending
-  std::vector<Point> points;      ///< all of them, whatever their verdicts
+  std::vector<Point> points;      ///< all points, for any verdicts
   std::filesystem::path history;  ///< of a jammed sample of the largest size ratio and friction; empty if no
                                   ///< folder has one
-  std::vector<std::string> remarks;            ///< what the reader ought to know, in sentences
+  std::vector<std::string> remarks;            ///< remarks for the reader, in sentences
   std::vector<std::filesystem::path> folders;  ///< of the sweeps
 
-  /// phi_mono(mu) and the model that follows from it; none without samples of one size.
+  /// phi_mono(mu) and the model that follows from it; empty without samples of equal spheres.
   std::optional<FurnasInterval> model(double friction) const;
-  /// Equal spheres and curves without the points of cells too thin to stand for large packings.
+  /// The study without the points, of equal spheres and of curves, whose cells are too thin to stand for
+  /// large packings.
   Study without_thin_cells() const;
   const Point* mono_at(double friction) const;                   ///< nullptr if there is none
   const Curve* curve(double size_ratio, double friction) const;  ///< nullptr if there is none
@@ -30,12 +31,12 @@ struct Study {
   std::vector<double> size_ratios() const;                       ///< of the curves, ascending
 };
 
-/// The model of a phi_mono that some samples have; its interval is cut to what a packing can be.
+/// The model for the phi_mono of some samples; its interval is cut to possible packing fractions.
 FurnasInterval model_of(const MeanInterval& phi_mono);
 
-/// Reads the tables of the folders of sweeps. Of samples with several numbers of large spheres those with the
-/// most count, and the same run in two folders once. Throws InputError, also when samples differ in a key
-/// that bears on phi_J and that the paper does not vary.
+/// Reads the tables of the folders of sweeps. Of samples at one point with different numbers of large spheres
+/// it uses those with the most; it counts the same run in two folders once. Throws InputError, also when
+/// samples differ in a key that bears on phi_J and that the paper does not vary.
 Study study_of(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace furnas

@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// Calls a run to attention at a time of the wall clock, however long its steps take.
+/// Sets a flag at a time of the wall clock, so that a run reacts even if its steps take long.
 class Alarm {
  public:
   using Clock = std::chrono::steady_clock;
@@ -19,7 +19,7 @@ class Alarm {
   Alarm(const Alarm&) = delete;
   Alarm& operator=(const Alarm&) = delete;
 
-  /// Rings once at `when`; a time that was set before is forgotten.
+  /// Sets the flag once at `when`, which replaces an earlier time.
   void set(Clock::time_point when);
 
  private:

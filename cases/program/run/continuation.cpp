@@ -40,7 +40,7 @@ std::string rows_of(const std::deque<RestWatch::Look>& window) {
   return rows;
 }
 
-/// How a run may have ended so that nothing is left to do, by the number that stands for it in a checkpoint.
+/// Verdicts after which nothing is left to do; a checkpoint stores the position in this list.
 constexpr std::optional<Verdict> ends[] = {{}, Verdict::jammed, Verdict::settled};
 
 std::ptrdiff_t place_of(const std::optional<Verdict>& end) {
@@ -48,7 +48,8 @@ std::ptrdiff_t place_of(const std::optional<Verdict>& end) {
 }
 
 void require_saved(bool held, const char* key) {
-  if (!held) throw InputError(std::string("the checkpoint lacks an entry that a run needs to go on: ") + key);
+  if (!held)
+    throw InputError(std::string("the checkpoint lacks an entry that a run needs to continue: ") + key);
 }
 
 /// The text under a key.
@@ -96,7 +97,8 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
 
 std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
   std::vector<RestingState> reached;
-  if (!checkpoint.extras.contains(resting_states_key)) return reached;  // a packing, but no run
+  if (!checkpoint.extras.contains(resting_states_key))
+    return reached;  // the checkpoint of a packing without a run
   Numbers rows(text_under(checkpoint, resting_states_key));
   for (RestingState s; rows.more(); reached.push_back(s))
     require_saved(rows.take(s.pressure, s.phi, s.step), resting_states_key);

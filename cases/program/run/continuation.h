@@ -13,23 +13,23 @@
 
 namespace furnas {
 
-/// What a stopped run hands to the process that goes on with it, besides its packing and its case.
+/// The data, besides packing and case, with which another process continues a stopped run.
 struct Continuation : RunState {
   double wall_seconds{};         ///< of all its processes
-  double cpu_seconds{};          ///< of the threads of all its processes; NaN if one did not say
-  std::optional<Verdict> ended;  ///< jammed or settled: nothing is left but to tell it
+  double cpu_seconds{};          ///< of the threads of all its processes; NaN if one did not record it
+  std::optional<Verdict> ended;  ///< jammed or settled: only the result is left to write
 };
 
-/// The continuation as it stands in a checkpoint, with the version of the program that wrote it.
+/// The continuation in the form of a checkpoint, with the version of the program that writes it.
 std::map<std::string, std::string> to_extras(const Continuation& continuation);
 
-/// The continuation that a checkpoint holds. Throws InputError if it is damaged, or if another version of the
-/// program has written it, which might go on to other bits.
+/// The continuation in a checkpoint. Throws InputError if it is damaged, or if another version of the program
+/// has written it, because the versions might compute other bits.
 Continuation continuation_of(const Checkpoint& checkpoint);
 
-/// The case of a stopped run, with the assignments of `set` in its place. The case file in the folder may ask
-/// for other steps, threads, or whatever else changes no bit; throws InputError that names what differs if it
-/// asks for another case.
+/// The case of a stopped run, changed by the assignments of `set`. The case file in the folder may have other
+/// values of keys that change no bit, such as steps and threads. Throws InputError that names the difference
+/// if another key has changed.
 Case case_to_go_on_with(const std::filesystem::path& folder, const Checkpoint& checkpoint,
                         std::span<const std::string> set);
 

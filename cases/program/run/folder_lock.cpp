@@ -27,7 +27,7 @@ std::string this_process() {
 FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / file_name) {
   while (!try_once()) ::close(descriptor_);
   const std::string name = this_process() + "\n";
-  // Only a help for whoever is refused, so it may fail.
+  // The name of the process only helps a refused user, so writing it may fail.
   [[maybe_unused]] const bool told =
       ::ftruncate(descriptor_, 0) == 0 && ::write(descriptor_, name.data(), name.size()) >= 0;
 }
@@ -39,7 +39,8 @@ bool FolderLock::try_once() {
     throw OutputError(path_.string() + ": cannot create the file: " + std::strerror(errno));
   while (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
-    if (errno != EWOULDBLOCK) break;  // a file system without locks: better than no run at all
+    if (errno != EWOULDBLOCK)
+      break;  // on a file system without locks a run without a lock is better than none
     ::close(descriptor_);
     std::string holder;
     std::getline(std::ifstream(path_), holder);

@@ -11,8 +11,8 @@ struct FolderInUse : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// While it lives, no other run can take the folder. The lock is a lock of the system on a file in the
-/// folder, which a process loses however it ends; the file is removed at last.
+/// While this object exists, no other run can take the folder. It holds a lock of the operating system on a
+/// file in the folder. A process loses the lock in whatever way it ends. The destructor removes the file.
 class FolderLock {
  public:
   /// The file that is locked; it names the process.

@@ -9,26 +9,27 @@ namespace furnas {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t drift = 3;                 // among the criteria; it must hold at the end only
-constexpr std::size_t least_looks = 12;          // for a trend
-constexpr std::size_t most_looks = 400;          // then every second is forgotten
-constexpr double carries = 0.3;                  // a stress within so much of the applied one, over p_a
-constexpr double parts[] = {0.25, 0.5, 1};       // of the record, over each of which the trend is taken
-constexpr double too_short = 2, too_long = 1.5;  // widen the range; set by 15 runs, docs/guide/first-steps.md
+constexpr std::size_t drift = 3;            // index of the criterion; it must be met at the end only
+constexpr std::size_t least_looks = 12;     // needed for a trend
+constexpr std::size_t most_looks = 400;     // beyond this number every second one is deleted
+constexpr double carries = 0.3;             // largest stress error, over p_a, of a packing that carries load
+constexpr double parts[] = {0.25, 0.5, 1};  // the trend is taken over each of these parts of the record
+constexpr double too_short = 2,
+                 too_long = 1.5;  // factors that widen the range; from 15 runs, docs/guide/first-steps.md
 
 }  // namespace
 
 void Forecast::add(std::int64_t step, const RestReport& report) {
   if (!(report.stress_error < carries) && looks_.empty()) return;
   if (report.backbone == 0 && looks_.empty()) return;
-  // A criterion that is 0 holds, by any power of ten.
+  // A criterion with the value 0 is met; its logarithm is minus infinity.
   const auto share = [](double value, double limit) { return std::log10(value / limit); };
   Look look{static_cast<double>(step),
             {share(report.stress_error, limits_.stress_error),
              share(report.force_imbalance, limits_.force_imbalance),
              share(report.kinetic_energy, limits_.kinetic_energy),
              share(report.strain_drift, limits_.strain_drift)}};
-  if (report.backbone == 0) look.shares[1] = look.shares[2] = infinite;  // of no particle
+  if (report.backbone == 0) look.shares[1] = look.shares[2] = infinite;  // averages over no particle
   if (limits_.kinetic_energy_alone) look.shares = {-infinite, -infinite, look.shares[2], -infinite};
   looks_.push_back(look);
   const bool hold = std::all_of(look.shares.begin(), look.shares.begin() + drift,
@@ -56,12 +57,12 @@ std::optional<Forecast::Line> Forecast::line(std::size_t criterion, double part)
   return Line{slope, (y - slope * x) / n};
 }
 
-/// While all but the drift hold, what their window still lacks.
+/// The rest of the window in which all criteria but the drift must be met.
 double Forecast::rest_of_window() const {
   return holds_since_ ? std::max(window_ - (looks_.back().step - *holds_since_), 0.0) : window_;
 }
 
-/// By the trend over the last part of the record.
+/// Steps left according to the trend over this last part of the record.
 double Forecast::steps_left(double part) const {
   double left = rest_of_window();
   for (std::size_t c = 0; c < criteria; ++c) {
@@ -88,7 +89,7 @@ Trend Forecast::trend(std::size_t criterion) const {
   if (looks_.size() < least_looks) return Trend::unknown;
   const std::optional<Line> recent = line(criterion, parts[0]);
   if (!recent) return Trend::unknown;
-  constexpr double noticed = 0.1;  // powers of ten in a window
+  constexpr double noticed = 0.1;  // least change to report, in powers of ten per window
   const double change = recent->slope * window_;
   return change < -noticed ? Trend::falls : change > noticed ? Trend::rises : Trend::stands;
 }

@@ -5,7 +5,7 @@
 namespace furnas {
 namespace {
 
-/// Ends the run before the deadline, as early as saving it takes.
+/// Ends the run before the deadline, early enough to save a checkpoint.
 class WallTime final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
@@ -27,7 +27,7 @@ class WallTime final : public Event {
   std::optional<Verdict> fire(Observation&) override { return Verdict::budget; }
 
  private:
-  /// A hundredth of the time, but not more than ten seconds, for a machine that is busy at the wrong moment.
+  /// Spare time for a busy machine: a hundredth of the wall time, but at most ten seconds.
   static Clock::duration spare_of(Clock::duration whole) {
     return std::min<Clock::duration>(whole / 100, std::chrono::seconds(10));
   }

@@ -13,11 +13,11 @@
 
 namespace furnas {
 
-/// What the events of a run share with whoever started it.
+/// Data that the events of a run share with the code that started it.
 struct RunContext {
   const Case& resolved_case;
   std::filesystem::path folder;
-  std::function<void()> save;                                     ///< writes all that the run needs to go on
+  std::function<void()> save;                                     ///< writes a checkpoint
   std::int64_t first_step{};                                      ///< where this process begins
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< of the wall clock
   LiveLines& lines;                                               ///< for progress
@@ -26,7 +26,7 @@ struct RunContext {
   Checkpoints& checkpoints;
 };
 
-/// What the program adds to the events of the protocol: files, progress, the wall time and signals.
+/// The events that the program adds to those of the protocol: files, progress, wall time and signals.
 Onlookers onlookers_of(RunContext& run);
 
 }  // namespace furnas

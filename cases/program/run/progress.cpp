@@ -12,7 +12,7 @@
 namespace furnas {
 namespace {
 
-/// Letters in a line of the terminal; a longer line would break, and could not be renewed.
+/// Letters in a line of the terminal; a longer line would wrap and could not be overwritten.
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -101,7 +101,7 @@ std::string Progress::state(Observation& now, double seconds) const {
   return text + left_text(forecast_->left(), static_cast<double>(last_step_ - m.step), rate);
 }
 
-/// Each beside its limit.
+/// Each criterion of rest, with its limit.
 std::vector<std::string> Progress::criteria() const {
   const RestReport& report = watch_.report();
   const RestCriteria& limits = watch_.criteria();

@@ -11,17 +11,17 @@
 
 namespace furnas {
 
-/// Lines that are renewed on a terminal, and plain lines elsewhere.
+/// Lines that are overwritten on a terminal, and plain lines elsewhere.
 class LiveLines {
  public:
   /// `live` means a terminal.
   LiveLines(std::ostream& out, bool live) : out_(out), live_(live) {}
 
-  /// Puts these in the place of the last ones; elsewhere all parts make one line.
+  /// On a terminal, replaces the last lines by these; elsewhere, prints all parts as one line.
   void show(const std::vector<std::string>& parts);
   /// A line that stays.
   void say(const std::string& line);
-  /// Takes the live lines away.
+  /// Removes the live lines.
   void clear();
 
   bool live() const { return live_; }
@@ -32,13 +32,13 @@ class LiveLines {
   std::size_t shown_ = 0;  ///< lines on the terminal now
 };
 
-/// Shows how a run goes on: where it stands and what it may still take, and how the criteria of rest stand to
-/// their limits.
+/// Shows the progress of a run: its state, the estimated time left, and the criteria of rest with their
+/// limits.
 class Progress final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `last_step` is where the budget ends.
+  /// The budget of steps ends at `last_step`.
   Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step)
       : lines_(lines), watch_(watch), first_step_(first_step), last_step_(last_step) {}
   const char* name() const override { return "progress"; }
@@ -55,7 +55,7 @@ class Progress final : public Event {
   std::int64_t first_step_;
   std::int64_t last_step_;
   std::optional<Forecast> forecast_;
-  double pressure_ = 0;  ///< of the bath at the last look
+  double pressure_ = 0;  ///< of the bath at the last observation
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
   bool explained_ = false;
@@ -64,7 +64,7 @@ class Progress final : public Event {
 /// "3 s", "12 min", "2.5 h", "3.1 d".
 std::string duration_text(double seconds);
 
-/// What a forecast means at `rate` steps a second when the budget ends after `most` steps: "left about 12 s
+/// A forecast in words, at `rate` steps per second and with `most` steps left in the budget: "left about 12 s
 /// (6 s to 30 s), at most 40 min".
 std::string left_text(const std::optional<StepsLeft>& left, double most, double rate);
 

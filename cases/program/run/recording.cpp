@@ -40,14 +40,14 @@ std::optional<Verdict> RecordHistory::fire(Observation& now) {
 }
 
 std::int64_t RecordFrame::next(std::int64_t step) const {
-  constexpr std::int64_t look = 10;  // phi costs nothing to look at
+  constexpr std::int64_t look = 10;  // steps between two checks of phi, which cost little
   if (frames_.empty() && step == 0) return step;
   if (rhythm_.steps == 0) return next_multiple(step, look);
   const std::int64_t by_steps = next_multiple(step, rhythm_.steps);
   return rhythm_.phi > 0 ? std::min(by_steps, next_multiple(step, look)) : by_steps;
 }
 
-/// How many times rhythm_.phi the packing fraction is, rounded down.
+/// The packing fraction in units of rhythm_.phi, rounded down.
 std::int64_t RecordFrame::multiple_below(Observation& now) {
   constexpr double rounding = 1e-9;  // so that 0.3 is three times 0.1
   if (sphere_volume_ == 0) sphere_volume_ = now.packing().sphere_volume();
@@ -80,20 +80,19 @@ void RecordFrame::restore(const std::string& saved) {
     while (frames_text(frames_).size() > mark.bytes && !frames_.empty()) frames_.pop_back();
     const std::string text = frames_text(frames_);
     if (mark_of(text) != mark)
-      throw InputError(
-          collection.string() +
-          ": lacks frames that the run had written when it was saved; restore the file");
+      throw InputError(collection.string() +
+                       ": lacks frames that the run had written when it was saved; restore the file");
     write_file(collection, text);
   }
   remove_later_frames();
 }
 
-/// Frames after the checkpoint are taken again; those that are not must not stay.
+/// Removes frames after the checkpoint. The run will write most of them again, and the others would be wrong.
 void RecordFrame::remove_later_frames() const {
   for (std::size_t k = frames_.size(); std::filesystem::remove(folder_ / frame_file(k));) ++k;
 }
 
-/// Not with all folders above it: if the folder of the run is gone, it must not come back empty.
+/// Makes the folder frames only, not the folders above it: a deleted folder of a run must not reappear empty.
 void RecordFrame::make_frames_folder() const {
   const auto frames = (folder_ / frame_file(0)).parent_path();
   std::error_code error;
@@ -133,7 +132,7 @@ std::optional<std::int64_t> Checkpoints::newest_step(const std::filesystem::path
     try {
       newest = std::max(newest.value_or(0), checkpoint_step(folder / name));
     } catch (const InputError&) {
-      // A damaged one is as good as none.
+      // A damaged checkpoint counts as missing.
     }
   }
   return newest;
@@ -147,7 +146,7 @@ std::optional<std::filesystem::path> Checkpoints::newer_than(const std::filesyst
     try {
       if (checkpoint_step(other) > step) return other;
     } catch (const InputError&) {
-      // A damaged one is no better.
+      // A damaged checkpoint does not count as newer.
     }
   }
   return {};
@@ -169,7 +168,7 @@ Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder)
     }
   }
   std::sort(files.rbegin(), files.rend());
-  // Packings are read one after the other: there may be no room for two.
+  // Packings are read one after the other, because the memory may not be enough for two.
   for (const auto& [step, name] : files) {
     try {
       newest.checkpoint = read_checkpoint(folder / name);
@@ -199,8 +198,8 @@ bool SaveCheckpoint::due(Observation&) { return asked_ || Clock::now() - last_ >
 
 std::optional<Verdict> SaveCheckpoint::fire(Observation& now) {
   asked_ = false;
-  // A state with a fault is not saved; whether it ends the run, the Monitor says at its own steps: the time
-  // of day does not.
+  // A state with a fault is not saved. The Monitor decides at fixed steps whether the fault ends the run, so
+  // that the result does not depend on the time of a checkpoint.
   if (fault_of(now.packing(), now.simulation().model()).empty()) save_();
   last_ = Clock::now();
   alarm_.set(last_ + period_);

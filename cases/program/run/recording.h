@@ -16,7 +16,7 @@
 
 namespace furnas {
 
-/// Adds a row to history.csv every so many steps.
+/// Adds a row to history.csv at a fixed interval of steps.
 class RecordHistory final : public Event {
  public:
   RecordHistory(const std::filesystem::path& folder, std::int64_t period)
@@ -33,13 +33,13 @@ class RecordHistory final : public Event {
   std::optional<History> history_;  ///< from restore() on
 };
 
-/// When frames are taken besides the start; 0: not by that.
+/// When frames are written, besides the start; 0 switches a rule off.
 struct FrameRhythm {
   std::int64_t steps{};  ///< from one frame to the next
-  double phi{};          ///< at its multiples, each when phi first exceeds it
+  double phi{};          ///< a frame when phi first exceeds each multiple of this
 };
 
-/// Writes frames for ParaView, the start among them, and keeps frames.pvd in step.
+/// Writes frames for ParaView, including the start, and keeps frames.pvd up to date.
 class RecordFrame final : public Event {
  public:
   RecordFrame(std::filesystem::path folder, FrameRhythm rhythm)
@@ -58,15 +58,15 @@ class RecordFrame final : public Event {
 
   std::filesystem::path folder_;
   FrameRhythm rhythm_;
-  double sphere_volume_ = 0;        ///< of all spheres [d_s^3]; 0: not asked yet
-  std::int64_t highest_ = 0;        ///< multiple of rhythm_.phi that phi has exceeded at a frame
+  double sphere_volume_ = 0;        ///< of all spheres [d_s^3]; 0: not computed yet
+  std::int64_t highest_ = 0;        ///< largest multiple of rhythm_.phi that phi has exceeded at a frame
   std::vector<SavedFrame> frames_;  ///< so far
 };
 
 /// The two checkpoints of a run, written in turn, so that one good one always stays.
 class Checkpoints {
  public:
-  /// The newest checkpoint of a folder that is good.
+  /// The newest undamaged checkpoint of a folder.
   struct Found {
     Checkpoint checkpoint;
     std::string file;   ///< its name
@@ -74,26 +74,26 @@ class Checkpoints {
     double seconds{};   ///< that reading took
   };
 
-  /// For a run that begins.
+  /// For a new run.
   explicit Checkpoints(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  /// For a run that goes on from the checkpoint `file`, which stays until the other one is written; reading
-  /// it took `seconds`.
+  /// For a run that continues from the checkpoint `file`, which is kept until the other one is written;
+  /// reading it took `seconds`.
   Checkpoints(std::filesystem::path folder, const std::string& file, double seconds);
 
-  /// Writes over the older one; throws NumericalFailure for a packing that is none, which must not take the
-  /// place of a good one.
+  /// Overwrites the older checkpoint. Throws NumericalFailure for a packing that is not sound and must not
+  /// replace a good one.
   void write(const CheckpointView& checkpoint);
 
-  /// The longest that a checkpoint has taken; before the first, what reading one took.
+  /// The longest time to write a checkpoint; before the first, the time to read one.
   std::chrono::duration<double> longest() const { return longest_; }
 
-  /// Whether a folder has none yet.
+  /// Whether a folder has no checkpoint yet.
   static bool none(const std::filesystem::path& folder);
 
-  /// The step of the newer checkpoint of a folder; none without one that tells its step.
+  /// The step of the newer checkpoint of a folder; empty if no checkpoint has a readable step.
   static std::optional<std::int64_t> newest_step(const std::filesystem::path& folder);
 
-  /// The other checkpoint of a folder, if it is good and of a later step.
+  /// The other checkpoint of a folder, if it is undamaged and of a later step.
   static std::optional<std::filesystem::path> newer_than(const std::filesystem::path& checkpoint);
 
   /// Throws InputError naming the faults of both when none can be read.
@@ -108,14 +108,14 @@ class Checkpoints {
   std::chrono::duration<double> longest_{0};
 };
 
-/// Saves a checkpoint every so many minutes, and when asked to; a state that has diverged it refuses, so that
-/// the last good one stays, and ends the run.
+/// Saves a checkpoint at an interval of minutes, and on request. It does not save a diverged state, so that
+/// the last good checkpoint is kept; the Monitor ends such a run.
 class SaveCheckpoint final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `save` writes everything that the run needs to go on; `asked` is set from outside, `attention` by the
-  /// event itself when a checkpoint is due.
+  /// `save` writes the checkpoint. `asked` is set from outside to request one; the event itself sets
+  /// `attention` when a checkpoint is due.
   SaveCheckpoint(std::function<void()> save, double minutes, std::atomic<bool>& asked,
                  std::atomic<bool>& attention);
   const char* name() const override { return "checkpoint"; }

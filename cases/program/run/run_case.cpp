@@ -35,19 +35,19 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
   switch (verdict) {
     case Verdict::jammed:
       if (c.stop.criterion == "paper")
-        return "the kinetic energy is below its limit, which is all that was asked";
+        return "the kinetic energy is below its limit, which is the only condition of stop.criterion = paper";
       return rest.loosely ? "at rest within the loose limit of the force balance" : "at rest";
     case Verdict::settled:
       return "phi can change by less than stop.phi_error";
     case Verdict::diverged:
       break;
     case Verdict::interrupted:
-      return "stopped by a signal; resume goes on";
+      return "stopped by a signal; resume continues";
     case Verdict::budget:
       break;
   }
   const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
-  return rest.waiting_for.empty() ? why : why + "; it still waits for " + rest.waiting_for;
+  return rest.waiting_for.empty() ? why : why + "; the run still waits for " + rest.waiting_for;
 }
 
 void draw(const Packing& packing, const Case& c, const std::filesystem::path& folder, Console console) {
@@ -57,12 +57,12 @@ void draw(const Packing& packing, const Case& c, const std::filesystem::path& fo
   try {
     render_picture(packing, folder / "packing.png", options);
   } catch (const std::exception& error) {
-    // The numbers are safe by now; a machine without OpenGL costs the picture alone.
+    // The numbers are written by now; without OpenGL only the picture is missing.
     console.err << "furnas: no picture: " << error.what() << '\n';
   }
 }
 
-/// A run from where this process begins to the files of its folder.
+/// The part of a run in this process, from its first step to the files of the folder.
 class Run {
  public:
   Run(RunOrder order, Console console);
@@ -73,7 +73,7 @@ class Run {
   void take_up();
   Result result_of(const Outcome& outcome);
   void write_files(const Packing& packing, const Outcome& outcome, const Result& result);
-  /// All that the run needs to go on from here.
+  /// The checkpoint of the present state.
   CheckpointView whole();
   double wall_seconds() const;
   double cpu_seconds() const;
@@ -86,7 +86,7 @@ class Run {
   std::string case_text_;
   Requests requests_;
   SignalGuard guard_{requests_};
-  const std::int64_t first_step_;  ///< where this process begins
+  const std::int64_t first_step_;  ///< first step of this process
   std::unique_ptr<ProtocolRun> run_;
   Checkpoints checkpoints_;
   std::optional<Verdict> ended_;
@@ -110,7 +110,7 @@ Run::Run(RunOrder order, Console console)
       run_(protocol_run(order_)),
       checkpoints_(folder_, order_.checkpoint, order_.checkpoint_seconds),
       ended_(order_.past.ended) {
-  order_.start = {};  // the simulation has its own; there is no room for both
+  order_.start = {};  // the simulation has its own copy; the memory may not be enough for both
 }
 
 Onlookers Run::onlookers() {
@@ -127,11 +127,11 @@ Onlookers Run::onlookers() {
   return onlookers_of(context);
 }
 
-/// Puts the files of the folder where the run stands.
+/// Prepares the files of the folder for the step at which the run begins or continues.
 void Run::take_up() {
   run_->begin(onlookers());
   write_file(folder_ / "case.resolved.toml", case_text_);
-  // Whatever happens, there is a good state to go back to.
+  // From now on there is always a good state from which the run can be resumed.
   if (order_.checkpoint.empty()) checkpoints_.write(whole());
   order_.folder->keep();
 }
@@ -207,7 +207,8 @@ ExitCode Run::go() {
   if (end.verdict == Verdict::jammed || end.verdict == Verdict::settled) ended_ = end.verdict;
   if (end.is_sound && moved) checkpoints_.write(whole());
   const Result result = result_of(end);
-  const Packing packing = run_->take_packing();  // what is written needs as much memory as the simulation had
+  const Packing packing =
+      run_->take_packing();  // the simulation is freed, because writing needs as much memory as it had
   write_files(packing, end, result);
   console_.out << summary(result, case_, folder_) << std::flush;
   return exit_code_of(end.verdict);
@@ -243,7 +244,7 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
   order.checkpoint = found.file;
   order.checkpoint_seconds = found.seconds;
   if (!found.fault.empty())
-    order.remark = "going on from the older checkpoint " + found.file +
+    order.remark = "continuing from the older checkpoint " + found.file +
                    ", because the newer one is unusable: " + found.fault;
   return order;
 }
@@ -271,11 +272,11 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
     text += fmt::format("phi_J     {:.5f} at p_a = {:g}, mu = {:g}\n", *r.phi_J(), r.pressure,
                         c.contact.friction);
   else if (r.verdict == Verdict::diverged)
-    text += "phi       none: the last good state is that of the checkpoint\n";
+    text += "phi       none: the last sound state is in the checkpoint\n";
   else if (r.verdict == Verdict::settled)
     text += fmt::format(
-        "phi       {:.5f} +- {:.1e}, the bound of what may still come (no phi_J: it is not at rest)\n", m.phi,
-        r.phi_bound);
+        "phi       {:.5f} +- {:.1e}, bound on the further change (no phi_J: the packing is not at rest)\n",
+        m.phi, r.phi_bound);
   else
     text += fmt::format("phi       {:.5f} (no phi_J: the packing is not jammed)\n", m.phi);
   text += fmt::format(

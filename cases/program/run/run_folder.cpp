@@ -19,7 +19,7 @@ void require_made(const fs::path& folder, const std::error_code& error) {
   throw InputError(what);
 }
 
-/// Making a folder that is there already changes nothing, so of several that want a name one gets it.
+/// Making an existing folder fails without changing it, so only one of several processes gets a name.
 bool make_new(const fs::path& folder) {
   std::error_code error;
   const bool made = fs::create_directory(folder, error);
@@ -35,7 +35,7 @@ fs::path make_first_free(const fs::path& wanted) {
   return candidate;
 }
 
-/// Whether there is nothing in the folder but its lock.
+/// Whether the folder is empty except for its lock.
 bool holds_nothing(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().filename() != FolderLock::file_name) return false;
@@ -44,9 +44,8 @@ bool holds_nothing(const fs::path& folder) {
 
 void refuse_unless_empty(const fs::path& folder) {
   if (fs::is_directory(folder) && holds_nothing(folder)) return;
-  throw InputError(
-      "--out " + folder.string() +
-      ": already there and not empty; allowed: a new or empty folder (resume goes on with a run)");
+  throw InputError("--out " + folder.string() +
+                   ": already there and not empty; allowed: a new or empty folder (resume continues a run)");
 }
 
 void remove_unfinished(const fs::path& folder) {
@@ -102,7 +101,7 @@ RunFolder RunFolder::open(const std::string& folder) {
 
 RunFolder::~RunFolder() {
   if (!lock_ || kept_) return;
-  std::error_code left;  // nothing more can be done about it
+  std::error_code left;  // an error here cannot be handled
   for (const auto& entry : fs::directory_iterator(path_, left))
     if (entry.path().filename() != FolderLock::file_name) fs::remove_all(entry.path(), left);
   lock_.reset();

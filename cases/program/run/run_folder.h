@@ -9,15 +9,15 @@
 
 namespace furnas {
 
-/// Makes the folder that --out names, with those above it. Throws InputError, as when a file stands in its
-/// place, and OutputError when the disk does not take it.
+/// Makes the folder that --out names, and the folders above it. Throws InputError, for example when there is
+/// a file of that name, and OutputError when the disk fails.
 void make_folder(const std::filesystem::path& folder);
 
-/// The folder of a run, which no other run can take while this lives.
+/// The folder of a run, which no other run can take while this object exists.
 class RunFolder {
  public:
   /// Makes a folder: `wanted`, which must be new or empty, or runs/<case>, with a number when that name is
-  /// taken. Unless keep() is called all that is put into it vanishes again. Throws InputError, FolderInUse,
+  /// taken. Unless keep() is called, the destructor removes all files in it. Throws InputError, FolderInUse,
   /// OutputError.
   static RunFolder create(const std::string& wanted, const std::filesystem::path& case_file);
 
@@ -30,7 +30,7 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// From now on there is something in it that must stay.
+  /// From now on the folder contains files that must be kept.
   void keep() { kept_ = true; }
 
  private:

@@ -31,8 +31,8 @@ SignalGuard::SignalGuard(Requests& requests) {
   current = &requests;
   for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) take(signal, ask_to_stop);
   take(SIGUSR1, ask_to_save);
-  // A reader of the output that has gone, or a limit on the size of files, is no reason to die unsaved: the
-  // write fails, and that is told.
+  // When the reader of the output has gone, or a file exceeds a size limit, the signal must not end the
+  // program before it has saved. The write then fails, and the failure is reported.
   take(SIGPIPE, SIG_IGN);
   take(SIGXFSZ, SIG_IGN);
 }
@@ -41,7 +41,7 @@ void SignalGuard::take(int signal, void (*handler)(int)) {
   struct sigaction action {
   }, before{};
   sigaction(signal, nullptr, &before);
-  // nohup, or a shell that puts a job into the background, has said that it is to be ignored.
+  // nohup, or a shell that starts a job in the background, has set the signal to be ignored.
   if (before.sa_handler == SIG_IGN && signal != SIGUSR1) return;
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;

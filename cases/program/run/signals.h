@@ -7,15 +7,15 @@
 
 namespace furnas {
 
-/// What signals ask of a running simulation.
+/// Requests that signals make to a running simulation.
 struct Requests {
-  std::atomic<bool> attention{false};  ///< something below is set: look up from the steps
+  std::atomic<bool> attention{false};  ///< something below is set: the loop of steps must check it
   std::atomic<bool> stop{false};       ///< SIGINT, SIGTERM, SIGHUP, SIGXCPU: save and stop
-  std::atomic<bool> save{false};       ///< SIGUSR1: save and go on
+  std::atomic<bool> save{false};       ///< SIGUSR1: save and continue
 };
 
-/// Lets the signals set `requests` while it lives; a second signal to stop ends the program at once. A signal
-/// that was ignored before, as under nohup, stays ignored. Only one guard may live at a time.
+/// While this object exists, signals set `requests`; a second signal to stop ends the program at once. A
+/// signal that was ignored before, as under nohup, stays ignored. Only one guard may live at a time.
 class SignalGuard {
  public:
   explicit SignalGuard(Requests& requests);
@@ -26,7 +26,7 @@ class SignalGuard {
  private:
   void take(int signal, void (*handler)(int));
 
-  std::vector<std::pair<int, struct sigaction>> taken_;  ///< signals and what they did before
+  std::vector<std::pair<int, struct sigaction>> taken_;  ///< signals and their earlier actions
 };
 
 }  // namespace furnas

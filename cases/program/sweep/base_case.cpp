@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The case of one of the samples, the first in the order of the folders.
+/// The case of the first sample in the order of the folders.
 fs::path case_of_a_sample(const fs::path& folder) {
   fs::path first;
   if (fs::is_directory(folder / "samples"))

@@ -14,7 +14,7 @@ namespace {
 
 namespace bp = boost::process;
 
-/// Runs in the new process, before the program starts.
+/// Called in the new process, before the program starts.
 void part_from_parent() {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);

@@ -8,22 +8,22 @@
 
 namespace furnas {
 
-/// The program itself in a process of its own, which a signal to the terminal does not reach; it is asked to
+/// This program as a separate process. Signals from the terminal do not reach it, and it gets a request to
 /// save and stop when its parent dies.
 class Child {
  public:
-  /// Starts `furnas ARGUMENTS`; what it prints goes to the file `log`.
+  /// Starts `furnas ARGUMENTS`, whose output goes to the file `log`.
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& log);
   Child(Child&&) = default;
   Child& operator=(Child&&) = default;
 
-  /// The exit code once it has ended; of one that a signal ended, minus the signal.
+  /// The exit code once the process has ended; if a signal ended it, minus the number of the signal.
   std::optional<int> ended();
 
-  /// Asks it to save and stop.
+  /// Requests it to save and stop.
   void stop();
 
-  /// Ends it at once, unsaved, and waits for that.
+  /// Ends it at once, without saving, and waits for its end.
   void kill();
 
  private:

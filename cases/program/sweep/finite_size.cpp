@@ -11,10 +11,11 @@ std::optional<SizeShift> size_shift(const Point& p) {
   constexpr double highest_pressure = 1e-3;
   const bool equal_spheres = p.small == 0 && p.large >= fewest;
   if (!equal_spheres || !(p.pressure <= highest_pressure)) return {};
-  // Without friction phi_J is lower by 0.08/sqrt(N) than in large samples: 0.0036 with 500, 0.0018 with 2000.
+  // Without friction phi_J of N spheres is lower by 0.08/sqrt(N) than in large samples: 0.0036 with N = 500,
+  // 0.0018 with N = 2000.
   constexpr double amplitude = 0.08;
   if (p.friction == 0) return SizeShift{amplitude / std::sqrt(static_cast<double>(p.large)), 1e-3};
-  // With 0.3 the means of 500, 1000 and 2000 agree within their intervals.
+  // With friction 0.3 the means of 500, 1000 and 2000 spheres agree within their intervals.
   if (p.friction == 0.3) return SizeShift{0, 2e-3};
   return {};
 }

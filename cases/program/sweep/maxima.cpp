@@ -25,7 +25,8 @@ const MaximumColumn maximum_column_table[] = {
      }},
     {{"phi_max", "", "mean of the samples", "phi_J of the highest point"},
      [](const Curve&, const CurveMaximum& m) { return fmt::format("{:.5f}", m.phi_max.mean); }},
-    {{"phi_max_half_width", "", "mean of the samples", "half of its 95 % interval; empty of one sample"},
+    {{"phi_max_half_width", "", "mean of the samples",
+      "half of its 95 % interval; empty for a single sample"},
      [](const Curve&, const CurveMaximum& m) {
        return m.phi_max.samples > 1 ? fmt::format("{:.5f}", m.phi_max.half_width) : "";
      }},

@@ -14,7 +14,7 @@ struct MaximumColumn {
   std::string (*cell)(const Curve&, const CurveMaximum&);
 };
 
-/// All of them, in the order of the file.
+/// All columns, in the order of the file.
 std::span<const MaximumColumn> maximum_columns();
 
 /// maxima.csv as text: a row for each curve of three points or more.

@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Fitted to samples of size ratio 1 to 20: frictional packings settle the more slowly the nearer they are to
-/// the densest mixture, where a few bridges carry, and the more so the larger the size ratio; frictionless
-/// ones are put to rest by the minimizer. With a shorter time step it takes more steps.
+/// Expected steps, fitted to samples of size ratio 1 to 20. Frictional packings come to rest more slowly near
+/// the densest mixture, where a few bridges of spheres carry the load, and still more slowly at larger size
+/// ratios. The minimizer brings frictionless packings to rest. A shorter time step needs more steps.
 double expected_steps(const Case& c, double particles) {
   const double off = (c.mixture.small_fraction - 0.33) / 0.12;
   const double near_the_maximum = 1e4 * c.mixture.size_ratio * c.mixture.size_ratio * std::exp(-off * off);
@@ -49,8 +49,8 @@ double particles_of(const Case& c) {
 
 std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// A value as it may stand in the name of a folder and in a table: of a start, its name and that of its
-/// folder.
+/// A value in the form for names of folders and for tables. For a start.file it is the file's name with that
+/// of its folder.
 std::string value_in(const Case& c, const std::string& key) {
   const fs::path start = c.start.file;
   std::string value = key == start_key ? (start.parent_path().filename() / start.filename()).string()
@@ -66,7 +66,7 @@ void forget(const Key& key, Case& c) {
   std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
 }
 
-/// The case without what changes no bit of its steps.
+/// The case as text, with keys that change no bit of the steps at their defaults.
 std::string identity(Case c) {
   for (const Key& key : case_keys())
     if (changes_no_bit(key)) forget(key, c);
@@ -96,10 +96,11 @@ void validate_point(const Case& c, const SweepGrid& grid) {
   } catch (const InputError& error) {
     throw InputError(grid.place + ": " + error.what());
   }
-  // Samples that are one and the same would pass for independent ones that agree to all digits.
+  // Identical samples would look like independent samples that agree to all digits.
   if (!c.start.file.empty() && grid.samples > 1)
-    throw InputError(fmt::format("{}: samples = {}, but start.file = \"{}\" is the same start for every seed; allowed: samples = 1",
-                                 grid.place, grid.samples, c.start.file));
+    throw InputError(fmt::format(
+        "{}: samples = {}, but start.file = \"{}\" is the same start for every seed; allowed: samples = 1",
+        grid.place, grid.samples, c.start.file));
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ std::vector<std::string> keys_of(const SweepFile& sweep) {
   };
   if (!sweep.base.start.file.empty() || !sweep.base.mixture.diameters.empty() ||
       std::any_of(sweep.grids.begin(), sweep.grids.end(), reads))
-    keys = {"contact.friction"};  // the sizes are those of a file
+    keys = {"contact.friction"};  // a file determines the sizes
   std::map<std::string, std::set<std::string>> values;
   for (const SweepGrid& grid : sweep.grids)
     for (const SweepAxis& axis : grid.axes) values[axis.key].insert(axis.values.begin(), axis.values.end());
@@ -204,18 +205,19 @@ SampleState state_of(const Sample& sample) {
   if (!fs::exists(resolved)) return SampleState::missing;
   if (identity(read_case(resolved)) != identity(sample.resolved_case))
     throw InputError(
-        fmt::format("{} holds the run of another case than this sweep has for that folder; remove the folder, or take "
-                    "another --out",
+        fmt::format("{} holds the run of another case than this sweep has for that folder; remove the "
+                    "folder, or take another --out",
                     sample.folder.string()));
   std::ifstream file(sample.folder / "result.json");
   const auto result = nlohmann::json::parse(file, nullptr, false);
   if (result.is_object()) {
     const std::string version = result.value("version", "an older version");
     if (version != build_info().version)
-      throw InputError(fmt::format(
-          "{} was made by furnas {} and this is furnas {}, whose samples may have other bits; use that version, "
-          "remove the folder, or take another --out",
-          sample.folder.string(), version, build_info().version));
+      throw InputError(
+          fmt::format("{} was made by furnas {} and this is furnas {}, whose samples may have other bits; "
+                      "use that version, "
+                      "remove the folder, or take another --out",
+                      sample.folder.string(), version, build_info().version));
     const std::string verdict = result.value("verdict", "");
     const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
     const Case::Stop& stop = sample.resolved_case.stop;

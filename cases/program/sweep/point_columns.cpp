@@ -20,15 +20,16 @@ const PointColumn point_column_table[] = {
      [](const Point& p) { return std::to_string(p.samples); }},
     {{"jammed", "", "total", "those of them that jammed"},
      [](const Point& p) { return std::to_string(p.jammed); }},
-    {{"settled", "", "total", "those that settled: not at rest, phi with a bound"},
+    {{"settled", "", "total",
+      "those that settled: not at rest, but with a bound on the further change of phi"},
      [](const Point& p) { return std::to_string(p.settled); }},
     {{"jammed_share", "", "share of the samples", "jammed/samples"},
      [](const Point& p) {
        return fmt::format("{:.3g}", static_cast<double>(p.jammed) / static_cast<double>(p.samples));
      }},
-    {{"budget", "", "total", "samples that spent their steps or time first"},
+    {{"budget", "", "total", "samples that spent their steps or time before the packing came to rest"},
      [](const Point& p) { return std::to_string(p.budget); }},
-    {{"diverged", "", "total", "samples that the monitor ended"},
+    {{"diverged", "", "total", "samples that diverged: a check of the state failed and ended the run"},
      [](const Point& p) { return std::to_string(p.diverged); }},
     {{"failed", "", "total", "samples that were refused or crashed"},
      [](const Point& p) { return std::to_string(p.failed); }},
@@ -78,8 +79,8 @@ const PointColumn point_column_table[] = {
       "does not stand for a large packing; empty if not known"},
      [](const Point& p) { return std::isfinite(p.thickness) ? fmt::format("{:.3g}", p.thickness) : ""; }},
     {{"finite_size", "", "sample",
-      "what phi_J of a large packing is above this one because of the number of spheres alone, and how well "
-      "the study knows that; unknown where it has not been measured; empty without phi_J"},
+      "phi_J of a large packing minus this phi_J, as far as the number of spheres alone causes the "
+      "difference, +- its uncertainty; unknown where it has not been measured; empty without phi_J"},
      finite_size_text},
     {{"pressure", "k_n/d_s", "sample", "of the bath, p_a"},
      [](const Point& p) { return number(p.pressure); }},

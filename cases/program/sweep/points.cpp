@@ -39,7 +39,7 @@ std::optional<MeanInterval> mean_of(const std::vector<double>& samples) {
 }
 
 void take_means(Point& point, const std::vector<const SampleRow*>& ended) {
-  double bounds = 0;  // of those that are settled
+  double bounds = 0;  // sum over the settled samples
   std::vector<double> Z;
   std::array<std::vector<double>, 3> large, small;
   for (const SampleRow* row : ended) {
@@ -63,18 +63,20 @@ void take_means(Point& point, const std::vector<const SampleRow*>& ended) {
   }
 }
 
-/// That of the cell, or what it is at most: the faces of no cell are further apart than those of a cube.
+/// The thickness of the cell or, if unknown, its upper bound: at given volume no cell is thicker than a cube.
 double thickness_at_most(const SampleRow& row) {
   if (std::isfinite(row.thickness)) return row.thickness;
-  const double spheres = static_cast<double>(row.large) * std::pow(row.size_ratio, 3) +
-                         static_cast<double>(row.small);  // of the volume of a small one
+  const double spheres =
+      static_cast<double>(row.large) * std::pow(row.size_ratio, 3) +
+      static_cast<double>(row.small);  // volume of the spheres, in volumes of a small sphere
   const double volume = std::numbers::pi / 6 * spheres / row.density();
   return std::cbrt(volume) / (row.large > 0 ? row.size_ratio : 1);
 }
 
 void take_thickness(Point& point, const std::vector<const SampleRow*>& ended) {
   for (const SampleRow* row : ended) {
-    point.thickness = std::fmin(point.thickness, row->thickness);  // which passes over what is not known
+    point.thickness =
+        std::fmin(point.thickness, row->thickness);  // ignores NaN, a thickness that is not known
     point.thickness_at_most = std::min(point.thickness_at_most, thickness_at_most(*row));
   }
 }

@@ -14,8 +14,9 @@
 
 namespace furnas {
 
-/// What the samples with the same values of the keys say together. Means are those of the jammed ones,
-/// and of settled ones, whose phi stands for phi_J: its interval is wider by the mean of their bounds.
+/// The samples with the same values of the keys, taken together. Means are over the jammed and the settled
+/// samples. A settled sample's phi is used as its phi_J; the mean of the bounds of settled samples widens the
+/// interval of phi_J.
 struct Point {
   std::vector<std::string> values;  ///< of the keys
   double size_ratio = 1;            ///< alpha
@@ -24,38 +25,40 @@ struct Point {
   std::int64_t large{}, small{};    ///< particles of each species in a sample
   std::size_t samples{};
   std::size_t jammed{}, settled{}, budget{}, diverged{}, failed{}, unfinished{};  ///< samples of each verdict
-  std::vector<double> phi_J;                                ///< of the jammed and settled ones
+  std::vector<double> phi_J;                                ///< of the jammed and settled samples
   std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;  ///< none without such a sample
   std::array<std::optional<MeanInterval>, 3> large_rattlers, small_rattlers;  ///< shares, with z_min 2, 3, 4
-  /// Backbone spheres of all these samples together: what the mean rests on. Where the small spheres rattle
-  /// only the large ones count.
+  /// Number of backbone spheres of all these samples together. Where the small spheres are rattlers only
+  /// large spheres count.
   double effective_size{};
-  /// Of the thinnest of their cells, in diameters of the largest sphere; NaN if not known.
+  /// Thickness of the thinnest cell of these samples, in diameters of the largest sphere; NaN if not known.
   double thickness = std::numeric_limits<double>::quiet_NaN();
-  /// What it is at most: the thickness if known, else that of a cube as full. Infinite without a sample.
+  /// Upper bound of the thickness: the thickness if known, else that of a cube of the same volume. Infinite
+  /// without a sample.
   double thickness_at_most = std::numeric_limits<double>::infinity();
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< p_a [k_n/d_s]; NaN if not known
   std::string preset;                                          ///< of the case; empty if not known
 
-  /// Whether a cell of it is so thin that it does not stand for a large packing (io/result.h).
+  /// Whether one of its cells is so thin that it does not stand for a large packing (io/result.h).
   bool too_thin() const { return thickness_at_most < least_thickness; }
 };
 
-/// "4.1", "at most 3.1" where the thickness itself is not known, "-" of no sample.
+/// "4.1"; "at most 3.1" where only the bound is known; "-" without a sample.
 std::string thickness_text(const Point& point);
 
 /// A column of points.csv after those of the keys. A mean is followed by a column of its half width.
 struct PointColumn {
   OutputField about;
-  std::string (*cell)(const Point&);                                   ///< empty where it is not known
-  const std::optional<MeanInterval>& (*mean)(const Point&) = nullptr;  ///< of a mean, instead of the cell
-  std::string_view title{};                                            ///< of a mean, on the axis of a chart
+  std::string (*cell)(const Point&);  ///< its text; empty if not known
+  const std::optional<MeanInterval>& (*mean)(const Point&) =
+      nullptr;               ///< for a column of a mean, instead of `cell`
+  std::string_view title{};  ///< title of a mean on the axis of a chart
 };
 
-/// All of them, in the order of the file.
+/// All columns, in the order of the file.
 std::span<const PointColumn> point_columns();
 
-/// The name of the column behind a mean.
+/// The name of the column after that of a mean.
 std::string name_of_half_width(const PointColumn& column);
 
 /// The points of a table, in its order.
@@ -64,7 +67,7 @@ std::vector<Point> points_of(const SampleTable& table);
 /// As text: a row for each point.
 std::string csv(const std::vector<Point>& points, const std::vector<std::string>& keys);
 
-/// phi_J against f_s of one size ratio and friction (and of one value of each other key).
+/// phi_J against f_s at one size ratio and friction (and one value of each other key).
 struct Curve {
   std::vector<Point> points;  ///< f_s ascending
 
@@ -72,14 +75,15 @@ struct Curve {
   double friction() const { return points.front().friction; }
 };
 
-/// The points that share all but their small_fraction; those without a jammed or settled sample are left out.
+/// Groups the points that differ only in small_fraction. Points without a jammed or settled sample are left
+/// out.
 std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector<std::string>& keys);
 
 /// Where a curve is highest.
 struct CurveMaximum {
-  MeanInterval phi_max;                       ///< of its highest point
+  MeanInterval phi_max;                       ///< phi_J of the highest point
   double at{};                                ///< f_s of that point
-  double f_max{}, f_max_low{}, f_max_high{};  ///< with its interval, as `find_maximum` has it
+  double f_max{}, f_max_low{}, f_max_high{};  ///< f_max with its interval, from `find_maximum`
 };
 
 /// The maximum of a curve of three points or more.

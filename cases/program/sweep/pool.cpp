@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Kind = TurnRecord::Kind;
 
-/// Whether a process that a worker of this machine has left behind still saves what it did.
+/// Whether a child process of an ended worker of this machine is still saving.
 bool is_in_use(const fs::path& folder) {
   if (!fs::is_directory(folder)) return false;
   try {
@@ -40,7 +40,7 @@ bool is_in_use(const fs::path& folder) {
   return false;
 }
 
-/// The sample as it stands in the folder of a turn.
+/// The sample with the folder of a turn (cases/program/sweep/turns.h).
 Sample sample_in(const TurnFolder& folder, const Sample& sample) {
   Sample there = sample;
   there.folder = folder.run();
@@ -51,7 +51,7 @@ Child start(const Sample& sample, const TurnFolder& folder, int threads,
             std::optional<std::chrono::seconds> walltime) {
   std::vector<std::string> arguments;
   if (state_of(sample_in(folder, sample)) == SampleState::interrupted) {
-    // What may have changed in the file of the sweep.
+    // Keys that may have changed in the file of the sweep.
     const Case::Stop& stop = sample.resolved_case.stop;
     arguments = {"resume",      folder.run().string(),
                  "--steps",     std::to_string(stop.steps),
@@ -74,7 +74,7 @@ struct Running {
 
   TurnFolder folder() const { return {*sample, turn}; }
 
-  /// What it has probably done of its cost [particle-steps].
+  /// Estimate of the part of its cost that is done [particle-steps].
   double progress() const {
     const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
     return std::min(pace_of_a_core * threads * seconds, sample->cost());
@@ -96,7 +96,7 @@ class Pool {
     all_ = cost_;
   }
 
-  /// Asks those that run to save and stop, and waits for them: also when something goes wrong here.
+  /// Requests running samples to save and stop, and waits for them; also after an exception in this process.
   ~Pool() {
     stopping_ = true;
     for (Running& r : running_) r.child.stop();
@@ -104,7 +104,7 @@ class Pool {
       try {
         collect();
       } catch (const std::exception&) {
-        // What could not be put in its place is put there by the next worker.
+        // The next worker moves results that could not be moved to their final place.
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
@@ -112,7 +112,7 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Takes note of those that have ended.
+  /// Records the samples that have ended.
   void collect() {
     for (auto r = running_.begin(); r != running_.end();) {
       const auto code = r->child.ended();
@@ -127,9 +127,9 @@ class Pool {
     }
   }
 
-  /// From time to time, and when a sample has ended: looks what other workers do, and starts what there are
-  /// threads for. A sample that needs more than is free waits, and so do all behind it: if they
-  /// went first, it could wait for ever.
+  /// Called from time to time, and when a sample has ended. Checks what other workers do, and starts samples
+  /// as long as threads are free. A sample that needs more than is free waits, and all samples after it in
+  /// the list wait too; otherwise it could wait for ever.
   void share() {
     if (Clock::now() < next_look_) return;
     next_look_ = Clock::now() + pause_;
@@ -150,7 +150,7 @@ class Pool {
     }
   }
 
-  /// Why there is nothing more to do for this worker, if that is so.
+  /// The reason why this worker has nothing more to do; empty while it has.
   std::optional<PoolEnd> end() const {
     if (!running_.empty()) return {};
     if (waiting_.empty()) return PoolEnd::whole;
@@ -169,7 +169,7 @@ class Pool {
     const double expected = pace_of_a_core * limits_.jobs;  // particle-steps a second
     double left = cost_;
     for (const Running& r : running_) left -= r.progress();
-    // The expected pace counts like a minute of measurement.
+    // The expected pace has the weight of a minute of measurement.
     constexpr double minute = 60;
     const double pace = (all_ - left + minute * expected) / (seconds + minute);
     s.seconds_left = std::max(left, 0.0) / pace;
@@ -199,7 +199,8 @@ class Pool {
   bool fits(const Sample& sample) const {
     double memory = memory_;
     for (const Running& r : running_) memory -= r.sample->memory();
-    // A sample that is too large for the machine is refused when it runs alone, by itself.
+    // A sample that is too large for the machine starts when nothing else runs; its own process then refuses
+    // it.
     return threads_of(sample) <= free_threads() && (sample.memory() <= memory || running_.empty());
   }
 
@@ -209,11 +210,11 @@ class Pool {
     return std::chrono::floor<std::chrono::seconds>(*limits_.deadline - Clock::now());
   }
 
-  /// Whether no sample should begin any more.
+  /// Whether it is too late to begin a sample.
   bool is_over() const { return limits_.deadline && *time_left() < std::chrono::seconds(2); }
 
-  /// Where a sample is that does not run here. Whoever is busy (`full`) leaves it to others to look after
-  /// workers that are gone.
+  /// The place of a sample that does not run here. A busy worker (`full`) does not check for samples of lost
+  /// workers, but leaves them to others.
   Where where_is(const Sample& sample, bool full) {
     const std::string key = turns_.key_of(sample.folder);
     const TurnRecord last = turns_.last(key);
@@ -221,12 +222,12 @@ class Pool {
     if (last.kind == Kind::taken) return full || !is_gone(sample, last) ? Where::elsewhere : Where::free;
     const TurnFolder folder(sample, last.number - 1);
     if (folder.exists()) {
-      // Whoever has ended the turn is about to put it in its place, or was killed right there.
+      // The worker that ended the turn is just moving the result to its place, or was killed while doing so.
       if (unplaced_.insert(fmt::format("{}.{}", key, last.number)).second) return Where::elsewhere;
       folder.publish();
     }
     if (last.kind == Kind::left) return Where::free;
-    // What has failed before this call is tried anew, once.
+    // A sample that failed before this call of the program is tried once more.
     if (turns_.is_old(key) && state_of(sample) != SampleState::finished) return Where::free;
     count_as_done(sample, last.code);
     return Where::ended;
@@ -239,7 +240,7 @@ class Pool {
     return life->second == Life::silent;
   }
 
-  /// Ends what others have taken over, while this worker seemed gone.
+  /// Ends the processes of samples that others took over while this worker seemed lost.
   void drop_lost() {
     for (auto r = running_.begin(); r != running_.end();) {
       if (!turns_.lost(turns_.key_of(r->sample->folder), r->turn)) {
@@ -252,7 +253,7 @@ class Pool {
     }
   }
 
-  /// Takes a sample and starts it, unless another worker is first.
+  /// Begins a turn at a sample and starts it, unless another worker is first.
   Where begin(const Sample& sample) {
     const std::string key = turns_.key_of(sample.folder);
     const int threads = threads_of(sample);
@@ -267,7 +268,8 @@ class Pool {
         folder.fill();
         finished = state_of(sample_in(folder, sample)) == SampleState::finished;
       }
-      // By a worker that was killed before it could say so, or that said so where this one could not see it.
+      // Finished by a worker that was killed before it recorded this, or whose record this worker could not
+      // see.
       if (finished) {
         if (turns_.end(key, *turn, Kind::done)) folder.publish();
         count_as_done(sample, 0);
@@ -284,7 +286,7 @@ class Pool {
   void take_note(const Running& ended, int code) {
     const Sample& sample = *ended.sample;
     const TurnFolder folder = ended.folder();
-    // A sample that was just starting has nothing to save, and has not failed.
+    // A process that SIGTERM ended while starting has nothing to save, and its sample has not failed.
     const bool asked = stopping_ && code == -SIGTERM;
     if (code < 0 && !asked)
       std::ofstream(folder.log(), std::ios::app)
@@ -311,16 +313,17 @@ class Pool {
   const double memory_ = memory_limit().bytes;
   Turns& turns_;
   Watch watch_;
-  const Clock::duration pause_;  ///< between looks at what others do
+  const Clock::duration pause_;  ///< between two checks of other workers
   Clock::time_point next_look_{};
-  std::map<std::string, Life> lives_;  ///< of other workers at the last look
-  std::set<std::string> unplaced_;     ///< ends of turns that were seen before the sample was in its place
-  std::list<const Sample*> waiting_;   ///< free or elsewhere
+  std::map<std::string, Life> lives_;  ///< of other workers at the last check
+  std::set<std::string> unplaced_;     ///< ended turns whose results were not yet in place
+  std::list<const Sample*> waiting_;   ///< samples not run here: free, or run by another worker
   std::size_t elsewhere_ = 0;
   std::list<Running> running_;
   SweepStanding standing_;
   bool stopping_ = false;
-  double cost_ = 0, all_ = 0;  ///< of what is not done, and of what was not at the start [particle-steps]
+  double cost_ = 0,
+         all_ = 0;  ///< cost of the samples not done now, and not done at the start [particle-steps]
   Clock::time_point begin_ = Clock::now();
 };
 

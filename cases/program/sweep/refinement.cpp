@@ -10,11 +10,11 @@ namespace furnas {
 namespace {
 
 double rounded(double value, double unit) {
-  const double per = std::round(1 / unit);  // 0.3 is 60/200, not 60 * 0.005
+  const double per = std::round(1 / unit);  // 0.3 is 60/200, while 60 * 0.005 is not 0.3
   return std::round(value * per) / per;
 }
 
-/// The value in the coarsest rounding that is not yet known.
+/// The wanted value in the coarsest rounding that gives a value not yet known.
 double new_fraction(double wanted, const std::vector<double>& known) {
   for (const double unit : {0.01, 0.005, 0.0025, 0.001}) {
     const double f = rounded(wanted, unit);
@@ -51,7 +51,7 @@ std::vector<Sample> refining_samples(const std::vector<Sample>& samples, const s
     const auto maximum = maximum_of(curve);
     if (!maximum) continue;
     std::vector<double> known;
-    std::vector<const Sample*> models;  // the seeds of one point
+    std::vector<const Sample*> models;  // the samples of the point at the maximum
     for (const Sample& sample : samples) {
       if (!same_but_fraction(sample, curve.points.front(), keys)) continue;
       known.push_back(sample.resolved_case.mixture.small_fraction);

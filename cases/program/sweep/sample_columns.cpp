@@ -18,7 +18,7 @@ const SampleColumn sample_column_table[] = {
     {{"large", "", "total", "large spheres; empty in a polydisperse packing, and when there is no result"},
      "N_l",
      [](SampleRow& r) -> Value { return &r.large; }},
-    {{"small", "", "total", "small spheres; empty as well"},
+    {{"small", "", "total", "small spheres; empty in a polydisperse packing, and when there is no result"},
      "N_s",
      [](SampleRow& r) -> Value { return &r.small; }},
     {{"verdict", "", "sample",
@@ -26,7 +26,7 @@ const SampleColumn sample_column_table[] = {
       "not come to its end"},
      "",
      [](SampleRow& r) -> Value { return &r.verdict; }},
-    {{"reason", "", "sample", "why, in a sentence; ';' stands for ','"},
+    {{"reason", "", "sample", "reason of the verdict, in a sentence; ';' stands for ','"},
      "",
      [](SampleRow& r) -> Value { return &r.reason; }},
     {{"phi_J", "", "sample", "packing fraction at jamming; empty unless jammed"},
@@ -38,7 +38,7 @@ const SampleColumn sample_column_table[] = {
     {{"Z", "", "per particle", "coordination: 2 contacts/particles, rattlers included"},
      "Z",
      [](SampleRow& r) -> Value { return &r.Z; }},
-    {{"Z_backbone", "", "per backbone particle", "the same of the backbone alone"},
+    {{"Z_backbone", "", "per backbone particle", "the same for the backbone alone"},
      "Z of the backbone",
      [](SampleRow& r) -> Value { return &r.Z_backbone; }},
     {{"backbone", "", "total", "spheres that are no rattlers, by the threshold of the run"},
@@ -63,19 +63,19 @@ const SampleColumn sample_column_table[] = {
      "small rattlers (fewer than 4 contacts)",
      [](SampleRow& r) -> Value { return &r.small_rattlers[2]; }},
     {{"steps", "", "total", "time steps taken"}, "steps", [](SampleRow& r) -> Value { return &r.steps; }},
-    {{"wall_seconds", "s", "total", "wall-clock time of all processes that had a part in it"},
+    {{"wall_seconds", "s", "total", "wall-clock time of all processes of the run"},
      "wall-clock time / s",
      [](SampleRow& r) -> Value { return &r.wall_seconds; }},
-    {{"state_hash", "", "sample", "checksum of the whole packing: equal bits, equal hash"},
+    {{"state_hash", "", "sample",
+      "checksum of the whole packing; packings with equal bits have equal hashes"},
      "",
      [](SampleRow& r) -> Value { return &r.state_hash; }},
-    {{"phi_bound", "", "sample", "of a settled one: bound on what phi may still change; else empty"},
+    {{"phi_bound", "", "sample", "of a settled sample: bound on the further change of phi; otherwise empty"},
      "bound on φ",
      [](SampleRow& r) -> Value { return &r.phi_bound; }},
     {{"thickness", "", "sample",
-      "least distance between opposite faces of the cell, in diameters of the largest sphere; below 3 it "
-      "does "
-      "not stand for a large packing; empty in tables of older versions"},
+      "least distance between opposite faces of the cell, in diameters of the largest sphere; below 3 the "
+      "cell does not stand for a large packing; empty in tables of older versions"},
      "thickness of the cell in largest diameters",
      [](SampleRow& r) -> Value { return &r.thickness; }},
     {{"pressure", "k_n/d_s", "sample", "of the bath, p_a, the last of compaction.pressure"},
@@ -97,7 +97,7 @@ bool counts_a_species(const SampleColumn& column) {
 
 std::string cell_of(const SampleColumn& column, const SampleRow& row) {
   if (counts_a_species(column) && row.large + row.small == 0) return "";
-  // A column hands out its value for reading and writing alike; the copy keeps `row` out of reach.
+  // A column gives access to its value for reading and for writing; the copy protects `row`.
   SampleRow copy = row;
   const Value value = column.value(copy);
   if (auto* const* words = std::get_if<std::string*>(&value)) return without_commas(**words);

@@ -19,10 +19,10 @@ struct SampleColumn {
   Value (*value)(SampleRow&);
 };
 
-/// All of them, in the order of the file.
+/// All columns, in the order of the file.
 std::span<const SampleColumn> sample_columns();
 
-/// The first so many have been written by every version; tables of older ones may lack the others.
+/// Every version has written at least this number of columns; tables of older versions may lack the others.
 inline constexpr std::size_t oldest_sample_columns = 19;
 
 /// The cell of a row in a column; empty where the value is not known.

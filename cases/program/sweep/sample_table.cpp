@@ -24,7 +24,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : unknown; }
 
-/// A count; 0 where it is null, as those of species are in a polydisperse packing.
+/// A count; 0 where it is null, as counts of a species are in a polydisperse packing.
 std::int64_t count_in(const Json& value) { return value.is_null() ? 0 : value.get<std::int64_t>(); }
 
 /// The last line that a process printed.
@@ -138,7 +138,8 @@ SampleRow row_in(const std::vector<std::string>& cells, const SampleTable& table
   return row;
 }
 
-/// Takes the columns of furnas off the names, so that the keys remain; how many they are, 0 if others.
+/// Removes the columns of furnas from the names, so that the keys remain. Returns the number of removed
+/// columns; 0 if the columns are different ones.
 std::size_t take_columns(std::vector<std::string>& names) {
   const auto columns = sample_columns();
   const auto first = std::find(names.begin(), names.end(), columns.front().about.name);

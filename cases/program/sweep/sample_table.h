@@ -11,10 +11,10 @@
 
 namespace furnas {
 
-/// The name of the file in the folder of a sweep.
+/// The name of the table of samples in the folder of a sweep.
 inline constexpr const char* sample_table_name = "sweep.csv";
 
-/// What became of a sample.
+/// The result of a sample.
 struct SampleRow {
   std::vector<std::string> values;  ///< of the keys of its table
   double size_ratio = 1;            ///< alpha
@@ -30,22 +30,22 @@ struct SampleRow {
   double Z_backbone;  ///< the same of the backbone
   double backbone;    ///< particles in the backbone
   std::array<std::int64_t, 3> large_rattlers{}, small_rattlers{};  ///< with z_min 2, 3, 4
-  double phi_bound =
-      std::numeric_limits<double>::quiet_NaN();  ///< of a settled one, on what phi may still change; NaN else
+  double phi_bound = std::numeric_limits<double>::quiet_NaN();  ///< of a settled sample, bound on the further
+                                                                ///< change of phi; else NaN
   std::int64_t steps{};
   double wall_seconds{};
   double cpu_seconds = std::numeric_limits<double>::quiet_NaN();  ///< of all threads; NaN in a read table
   std::int64_t evaluations{};  ///< of the minimizer; 0 in a table that was read
   std::string state_hash;
-  /// Of the cell, in diameters of the largest sphere; NaN without a result, and in tables of older versions,
-  /// as what follows.
+  /// Thickness of the cell, in diameters of the largest sphere. This and the following values are NaN or
+  /// empty without a result, and in tables of older versions.
   double thickness = std::numeric_limits<double>::quiet_NaN();
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< of the bath at the end, p_a [k_n/d_s]
   std::string preset;                                          ///< of the case; empty if not known
 
   bool jammed() const { return verdict == "jammed"; }
   bool settled() const { return verdict == "settled"; }
-  /// phi_J, or phi of a settled one; NaN of all others.
+  /// phi_J, or phi of a settled sample; NaN for all others.
   double density() const { return settled() ? phi : phi_J; }
 };
 
@@ -55,11 +55,11 @@ struct SampleTable {
   std::vector<SampleRow> rows;
 };
 
-/// Reads what the samples have left in their folders.
+/// Reads the results of the samples from their folders.
 SampleTable table_of(const std::vector<Sample>& samples, const std::vector<std::string>& keys);
 
-/// As text (the columns after the keys: cases/program/sweep/sample_columns.h); empty cells stand for what is
-/// not known.
+/// The table as text (the columns after the keys: cases/program/sweep/sample_columns.h); an empty cell is not
+/// known.
 std::string csv(const SampleTable& table);
 
 /// Reads the table of a sweep's folder. Throws InputError.

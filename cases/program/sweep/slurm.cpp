@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::minutes;
 
-/// What is foretold may be wrong by so much.
+/// Safety factor on estimated times.
 constexpr double reserve = 2;
 constexpr int most_cores = 16;
 
@@ -31,7 +31,7 @@ double memory_of(const std::vector<Sample>& samples, int side_by_side) {
 
 int rounded_up(double number) { return static_cast<int>(std::ceil(std::min(number, 1e6))); }
 
-/// Slurm ends a task without asking: its samples are to be saved before that.
+/// Slurm ends a task without a request, so its samples must be saved before.
 minutes time_of_worker(minutes of_task) {
   return of_task - std::max(minutes(1), std::min(minutes(5), of_task / 10));
 }
@@ -63,7 +63,7 @@ std::string slurm_script(const SlurmArray& array, const SlurmWishes& wishes,
   const std::string output = (folder / "slurm-%A_%a.out").string();
   return fmt::format(
       R"(#!/bin/bash
-# Each task is a worker on the folder of the sweep: it takes samples that no other has, and saves them in time.
+# Each task is a worker on the sweep's folder: it runs samples that no other worker runs, and saves in time.
 #SBATCH --job-name="furnas-{name}"
 #SBATCH --array=1-{tasks}
 {partition}#SBATCH --time={minutes}
@@ -78,7 +78,7 @@ std::string slurm_script(const SlurmArray& array, const SlurmWishes& wishes,
 {line}\
   --jobs "${{SLURM_CPUS_PER_TASK:-{cores}}}" --walltime {worker}m --leave
 code=$?
-# 11: the time is spent and samples are left; Slurm begins this task again, and it goes on with them.
+# 11: the time is spent and samples are left; Slurm starts this task again, which continues them.
 if [ $code -eq 11 ]; then scontrol requeue "$SLURM_JOB_ID"; fi
 exit $code
 )",

@@ -10,7 +10,7 @@
 
 namespace furnas {
 
-/// What a sweep is to ask of Slurm; what is not said here follows from the samples.
+/// Wishes for the Slurm job of a sweep; values that are not set follow from the samples.
 struct SlurmWishes {
   std::string partition{};                         ///< empty: the cluster's default
   std::optional<int> cores{};                      ///< of a task
@@ -22,16 +22,16 @@ struct SlurmArray {
   int tasks = 1;
   int cores = 1;                ///< of a task
   double memory{};              ///< of a task [bytes]
-  std::chrono::minutes time{};  ///< that Slurm gives a task
+  std::chrono::minutes time{};  ///< time limit of a task
 };
 
-/// As many tasks as bring the samples to their end in twice the time that is foretold for them. A task has a
-/// core for each sample, sixteen at most; memory for the largest samples side by side; and, unless it is
-/// told, twice the time of the longest sample on one core, from ten minutes to a day.
+/// Enough tasks to finish the samples even if they take twice the estimated time. A task has a core for each
+/// sample, at most sixteen, and memory for the largest samples side by side. Its time, unless given, is twice
+/// that of the longest sample on one core, but at least ten minutes and at most a day.
 SlurmArray array_for(const std::vector<Sample>& samples, const SlurmWishes& wishes);
 
-/// The script for sbatch. `command` is `furnas sweep ...`, less what follows from the array; a task that runs
-/// out of time asks Slurm to begin it again.
+/// The script for sbatch. `command` is `furnas sweep ...`, without the options that follow from the array. A
+/// task that runs out of time requests Slurm to start it again.
 std::string slurm_script(const SlurmArray& array, const SlurmWishes& wishes,
                          const std::vector<std::string>& command, const std::filesystem::path& folder);
 

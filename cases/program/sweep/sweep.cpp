@@ -32,10 +32,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// So often the points around a maximum are made denser.
+/// Number of times that points are added around a maximum.
 constexpr int most_refinements = 6;
 
-/// What the sweep tells the shell: the worst that became of a sample.
+/// The exit code of the sweep: that of the worst sample.
 ExitCode code_of(const SampleTable& table) {
   const auto any = [&](auto is) { return std::any_of(table.rows.begin(), table.rows.end(), is); };
   const auto is_good = [](const SampleRow& row) { return row.jammed() || row.settled(); };
@@ -45,7 +45,8 @@ ExitCode code_of(const SampleTable& table) {
   return any(is_spent) ? ExitCode::budget_spent : ExitCode::done;
 }
 
-/// The standing of the whole on one line: renewed on a terminal, a new one for each sample elsewhere.
+/// The progress of the sweep on one line, which is overwritten on a terminal; elsewhere a new line for each
+/// sample.
 class Line {
  public:
   explicit Line(std::ostream& out) : out_(out), live_(isatty(STDERR_FILENO) == 1) {}
@@ -85,7 +86,8 @@ class Sweep {
         worker_(order.folder, order.takeover),
         turns_(order.folder, worker_) {
     put(base_case_name, base_case_text(samples_, keys_));
-    // What the file does not ask for, now or any more, counts if it is there and is not run.
+    // Finished samples in the folder that the file does not list (any more) are included, but unfinished ones
+    // are not run.
     for (Sample& sample : added_samples(samples_, keys_, order.folder))
       if (order.refine || state_of(sample) == SampleState::finished) samples_.push_back(std::move(sample));
   }
@@ -123,18 +125,18 @@ class Sweep {
       if (s.done == done || now < next) return;
       write_tables();
       done = s.done;
-      next = Clock::now() + 20 * (Clock::now() - now);  // many samples are many files to read
+      next = Clock::now() + 20 * (Clock::now() - now);  // reading the files of many samples takes time
     });
     line.finish();
-    // What other workers have ended meanwhile belongs into the last tables; theirs may have been written
-    // before these.
+    // The last tables must include samples that other workers have ended meanwhile, because those workers may
+    // have written their tables earlier.
     while (write_tables() != csv(table_of(samples_, keys_))) {
     }
     if (end == PoolEnd::whole) Watch(worker_).remove_ended();
     return end;
   }
 
-  /// Some seconds before the wall time is over, so that tables can be written.
+  /// The deadline for samples: some seconds before the wall time is over, so that tables can be written.
   std::optional<Clock::time_point> deadline() const {
     if (!order_.walltime) return {};
     const std::chrono::duration<double> all = *order_.walltime;
@@ -151,17 +153,17 @@ class Sweep {
         return ExitCode::done;
       case PoolEnd::out_of_time:
         console_.err << "the wall time is spent; all samples are saved, and the same command, given again, "
-                        "goes on with them\n";
+                        "continues them\n";
         return ExitCode::samples_left;
       case PoolEnd::stopped:
         break;
     }
-    console_.err << "stopped by a signal; all samples are saved, and the same command, given again, goes on "
-                    "with them\n";
+    console_.err
+        << "stopped by a signal; all samples are saved, and the same command, given again, continues them\n";
     return ExitCode::interrupted;
   }
 
-  /// Answers what is in sweep.csv now.
+  /// Returns the text of sweep.csv.
   std::string write_tables() const {
     const SampleTable table = table_of(samples_, keys_);
     const std::vector<Point> points = points_of(table);
@@ -172,7 +174,8 @@ class Sweep {
     return text;
   }
 
-  /// Other workers write the same file: each has one of its own, which it puts in place when it is whole.
+  /// Other workers write the same file, so each writes to a file of its own and renames it when it is
+  /// complete.
   void put(const char* name, const std::string& text) const {
     const fs::path own = worker_.own_file(name), place = order_.folder / name;
     write_file(own, text);
@@ -235,7 +238,7 @@ ExitCode run_sweep(const SweepOrder& order, Console console) {
   if (!Checkpoints::none(order.folder))
     throw InputError(fmt::format("--out {} is the folder of a run; allowed: a new folder, or that of a sweep",
                                  order.folder.string()));
-  samples_of(order.file, keys_of(order.file), order.folder);  // throws before anything is made
+  samples_of(order.file, keys_of(order.file), order.folder);  // throws before any folder is made
   make_folder(order.folder);
   return Sweep(order, console).go();
 }

@@ -23,11 +23,11 @@ struct SweepOrder {
   bool waits = true;  ///< for samples that other workers on the same folder run
 };
 
-/// Runs what is not finished and what no other worker on the folder runs, and writes sweep.csv, points.csv
-/// and maxima.csv into it. Throws InputError, OutputError.
+/// Runs the samples that are not finished and that no other worker on the folder runs, and writes sweep.csv,
+/// points.csv and maxima.csv into the folder. Throws InputError, OutputError.
 ExitCode run_sweep(const SweepOrder& order, Console console);
 
-/// How many samples a sweep has and what they cost, for a person; what will be refused is named.
+/// The number of samples of a sweep and their cost, for the user, with the samples that will be refused.
 std::string sweep_report(const SweepFile& sweep);
 
 }  // namespace furnas

@@ -17,7 +17,7 @@ namespace furnas {
 
 double dense_thickness(const Case& c) {
   if (!c.start.file.empty()) return std::numeric_limits<double>::infinity();
-  double volume = 0, largest = 1;  // of all spheres in those of a smallest one, and [d_s]
+  double volume = 0, largest = 1;  // volume of all spheres in units of d_s^3 pi/6; largest diameter [d_s]
   if (!c.mixture.diameters.empty()) {
     for (const double d : read_diameters(c.mixture.diameters).diameters) {
       volume += d * d * d;
@@ -51,8 +51,9 @@ std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
       large > 0 ? fmt::format("mixture.large = {:.0f} makes", large)
                 : fmt::format("lists {:.1f} times as long make", std::pow(least_thickness / thinnest, 3));
   return fmt::format(
-      "cells     of {} of {} points too thin to stand for a large packing, down to {:.1f} largest diameters "
-      "when dense; {} all {:g} thick\n",
+      "cells     at {} of {} points are too thin to stand for a large packing, down to {:.1f} largest "
+      "diameters "
+      "when dense; {} all of them {:g} thick\n",
       thin, points.size(), thinnest, remedy, least_thickness);
 }
 

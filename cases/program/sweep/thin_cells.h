@@ -7,12 +7,12 @@
 
 namespace furnas {
 
-/// About how thick a cell of the case is once it is dense, in largest diameters; infinite where
-/// the start is a packing in a file.
+/// Approximate thickness of the dense cell of a case, in largest diameters; infinite where the start is a
+/// packing in a file.
 double dense_thickness(const Case& c);
 
-/// A line for a person about the points of a sweep whose cells are too thin to stand for a large packing,
-/// with the number of spheres that would do; empty if there are none.
+/// A line for the user about the points of a sweep whose cells are too thin to stand for a large packing,
+/// with a sufficient number of spheres; empty if there are no such points.
 std::string remark_on_thin_cells(const std::vector<Sample>& samples);
 
 }  // namespace furnas

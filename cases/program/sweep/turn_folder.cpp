@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Other turns at the same sample whose folders are still there, the latest first.
+/// Other turns at the same sample whose folders still exist, the latest first.
 std::vector<int> turns_beside(const fs::path& sample) {
   const std::string begin = sample.filename().string() + ".turn-";
   std::vector<int> turns;
@@ -50,7 +50,7 @@ void copy_file_whole(const fs::path& from, const fs::path& to) {
   copy.commit();
 }
 
-/// Removes what a folder holds that was opened, whatever stands under its name by now.
+/// Removes the files in an open folder, even if another folder now has its name.
 void empty(int folder) {
   DIR* const entries = ::fdopendir(::dup(folder));
   if (!entries) return;
@@ -90,8 +90,8 @@ void TurnFolder::fill() const {
   if (!newest.empty()) copy(newest);
 }
 
-/// Copies the checkpoints first: what a checkpoint needs of the other files was written before it, and those
-/// files only grow.
+/// Copies the checkpoints first. The parts of other files that a checkpoint needs were written before it, and
+/// those files only grow.
 void TurnFolder::copy(const fs::path& from) const {
   const fs::path part = path_ / "part";
   fs::remove_all(part);
@@ -113,13 +113,13 @@ void TurnFolder::copy(const fs::path& from) const {
 void TurnFolder::publish() const {
   put_in_place();
   remove_earlier();
-  std::error_code left;  // of a worker that does the same
+  std::error_code left;  // another worker may do the same
   fs::remove_all(path_, left);
 }
 
-/// A folder takes the place of an empty one only. The older one is emptied through a descriptor that was
-/// opened before: that the rename was refused shows that this turn's folder was not in its place by then. So
-/// one that is, is never emptied, however long this process sleeps in between.
+/// A folder can be renamed onto an empty folder only, so the older folder is emptied first, through a
+/// descriptor opened before the rename. Since the rename failed, the opened folder was not the folder of this
+/// turn. Therefore the result of this turn is never deleted, even if this process pauses in between.
 void TurnFolder::put_in_place() const {
   std::rename(log().c_str(), log_of_sample_.c_str());
   for (int tries = 0; tries < 5; ++tries) {
@@ -128,17 +128,18 @@ void TurnFolder::put_in_place() const {
     const bool occupied = error == ENOTEMPTY || error == EEXIST;
     if (occupied && older >= 0) empty(older);
     if (older >= 0) ::close(older);
-    if (error == 0 || error == ENOENT) return;  // ENOENT: another has done it, or the run has left nothing
+    if (error == 0 || error == ENOENT) return;  // ENOENT: another worker has done it, or the run has no files
     if (!occupied)
       throw OutputError(
           fmt::format("{}: cannot put the folder in its place: {}", sample_.string(), std::strerror(error)));
     std::this_thread::sleep_for(std::chrono::milliseconds(100 * tries));
   }
-  throw OutputError(sample_.string() + ": the folder cannot be emptied, so the newer result of this sample cannot be put there");
+  throw OutputError(sample_.string() +
+                    ": the folder cannot be emptied, so the newer result of this sample cannot be put there");
 }
 
 void TurnFolder::remove_earlier() const {
-  std::error_code left;  // of a worker that was thought gone and still writes: the next turn removes it
+  std::error_code left;  // a worker that was taken for lost may still write: the next turn removes its folder
   for (const int turn : turns_beside(sample_))
     if (turn < turn_) fs::remove_all(folder_of_turn(sample_, turn), left);
 }

@@ -30,7 +30,8 @@ std::string text_of(const TurnRecord& record) {
   return fmt::format("{} {} {}\n", word, record.worker, record.code);
 }
 
-/// A record that cannot be read, as one that is being written where there are no links, counts as taken.
+/// A record that cannot be read counts as taken; on a file system without links, another worker may just be
+/// writing it.
 TurnRecord read_record(const fs::path& path, int number) {
   TurnRecord record{number, Kind::taken, "", 0};
   std::string word;
@@ -41,13 +42,14 @@ TurnRecord read_record(const fs::path& path, int number) {
   return record;
 }
 
-/// Writes a file that is not there yet, or anew with O_TRUNC; the error number, 0 if there is none.
+/// Writes a new file, or with O_TRUNC overwrites an existing one. Returns the error number, 0 without an
+/// error.
 int write_new(const fs::path& path, const std::string& text, int flags) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
   if (descriptor < 0) return errno;
   const int error =
       ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : errno;
-  // NFS says at closing that a disk is full.
+  // NFS reports a full disk when the file is closed.
   return ::close(descriptor) == 0 || error != 0 ? error : errno;
 }
 
@@ -106,15 +108,15 @@ bool Turns::is_old(const std::string& sample) const {
   return found != at_begin_.end() && last(sample).number <= found->second;
 }
 
-/// Of several that write a record of one number one succeeds.
+/// If several workers write a record with the same number, one succeeds.
 bool Turns::write(const std::string& sample, const TurnRecord& record) {
   const fs::path place = file(sample, record.number), own = worker_.own_file("record");
   const std::string text = text_of(record);
   require_written(own, write_new(own, text, O_TRUNC));
   int error = ::link(own.c_str(), place.c_str()) == 0 ? 0 : errno;
   if (has_no_links(error)) error = write_new(place, text, O_EXCL);
-  // An answer of the server that was lost makes NFS ask again, and hear that the name is taken: by this very
-  // link, which then the file counts.
+  // If the answer of the server is lost, NFS repeats the request and learns that the name exists: because of
+  // this very link. In that case the file has two links.
   struct stat status {};
   if (error != 0 && ::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) error = 0;
   ::unlink(own.c_str());

@@ -9,36 +9,36 @@
 
 namespace furnas {
 
-/// One line in the book of a sample.
+/// One record of a sample. A turn is the time for which one worker has the sample.
 struct TurnRecord {
   enum class Kind {
-    none,   ///< nobody has had the sample yet
-    taken,  ///< a worker has begun a turn; its number is that of this record
-    left,   ///< the turn before this record was ended, and the sample saved
-    done    ///< ... and the sample has come to its end, whatever it was
+    none,   ///< no worker has had the sample yet
+    taken,  ///< a worker has begun a turn, whose number is that of this record
+    left,   ///< the turn before this record has ended, and the sample is saved
+    done    ///< the turn before this record has ended, and the sample is finished or has failed
   };
   int number = 0;
   Kind kind = Kind::none;
   std::string worker;
-  int code = 0;  ///< of a sample that is done: exit code of its run
+  int code = 0;  ///< exit code of the run of a sample that is done
 };
 
-/// The book of who works on which sample of a sweep, shared by all workers.
+/// The records of which worker runs which sample of a sweep, shared by all workers.
 ///
-/// Each sample has records 1, 2, 3 ..., a file each in the folder `turns`, which no one changes or removes.
-/// A record is made with all it says by link(), which one worker wins and all others lose, on NFS, too. So a
-/// worker whose sample was taken over cannot end its turn: the number for that is gone. No lock, no clock and
-/// no file's date is asked. Whoever sees an old state of the folder, as caches of NFS show it for a while,
-/// tries a number that is gone, and loses.
+/// Each sample has records 1, 2, 3 ..., each a file in the folder `turns`; no record is ever changed or
+/// removed. link() creates a record with its whole content; if several workers try it, exactly one succeeds,
+/// on NFS, too. A worker whose sample was taken over cannot end its turn, because the number of that record
+/// exists already. The method needs no locks, clocks or dates of files. A worker that sees an old state of
+/// the folder, as caches of NFS show it for a while, tries a number that exists already, and fails.
 class Turns {
  public:
-  /// `worker` writes its records here.
+  /// `worker` is the worker whose turns are recorded here.
   Turns(std::filesystem::path sweep, const Worker& worker);
 
-  /// The name of a sample in the book: the path of its folder, relative to the folder of the sweep.
+  /// The name of a sample in the records: the path of its folder, relative to the folder of the sweep.
   std::string key_of(const std::filesystem::path& sample) const;
 
-  /// Reads what others have written.
+  /// Reads the records of other workers.
   void look();
 
   /// The last record of a sample that was seen.
@@ -47,13 +47,14 @@ class Turns {
   /// Whether the last record is from the time before this worker began.
   bool is_old(const std::string& sample) const;
 
-  /// Begins a turn at the sample, after the last record; its number, or nothing if another was first.
+  /// Begins a turn at the sample, after the last record. Returns its number; empty if another worker was
+  /// first.
   std::optional<int> take(const std::string& sample);
 
   /// Ends this worker's turn. False if the sample was taken over.
   bool end(const std::string& sample, int turn, TurnRecord::Kind kind, int code = 0);
 
-  /// Whether another has taken the sample over.
+  /// Whether another worker has taken the sample over.
   bool lost(const std::string& sample, int turn) const;
 
  private:
@@ -63,7 +64,7 @@ class Turns {
   std::filesystem::path folder_;
   const Worker& worker_;
   std::map<std::string, TurnRecord> last_;
-  std::map<std::string, int> at_begin_;  ///< numbers
+  std::map<std::string, int> at_begin_;  ///< numbers of the last records at the beginning
 };
 
 }  // namespace furnas

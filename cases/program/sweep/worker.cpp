@@ -40,7 +40,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 constexpr const char* unknown_machine = "?";
 
-/// One start of one machine, and in it the container whose numbers of processes hold.
+/// Identifies this start of this machine and the container in which numbers of processes are valid.
 std::string this_machine() {
   std::error_code no_answer;
   const fs::path container = fs::read_symlink("/proc/self/ns/pid", no_answer);
@@ -48,8 +48,8 @@ std::string this_machine() {
   return start.empty() || container.empty() ? unknown_machine : start + "/" + container.string();
 }
 
-/// When a process of this machine began, in ticks since the machine did; "" when there is none. A number of a
-/// process is given anew, with its beginning it is not.
+/// The start time of a process of this machine, in ticks since the machine started; "" when there is no such
+/// process. The number of a process may be reused later, but not with the same start time.
 std::string beginning_of(const std::string& process) {
   const std::string line = first_line("/proc/" + process + "/stat");
   const auto name_ends = line.rfind(')');
@@ -76,7 +76,8 @@ Worker::Worker(fs::path sweep, Seconds takeover)
                        beginning_of(std::to_string(::getpid())))) {
   if (!beat())
     throw OutputError(fmt::format("{}: cannot write the file: {}", file_.string(), std::strerror(errno)));
-  // Signals are for the thread of the sweep: one that lands here would not interrupt its calls.
+  // Only the thread of the sweep may get signals: a signal in this thread would not interrupt the calls of
+  // the sweep.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -94,8 +95,8 @@ Worker::~Worker() {
   ::unlink(file_.c_str());
 }
 
-/// Writes in place and closes: so NFS hands the bytes to the server, and whoever opens the file next sees
-/// them. A file that is renamed into its place may stay hidden behind a remembered name for a minute.
+/// Overwrites the file and closes it. NFS then sends the bytes to the server, and the next process that opens
+/// the file sees them. A renamed file might stay invisible for a minute, because NFS caches names.
 bool Worker::beat() {
   int descriptor = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == ENOENT) {
@@ -113,7 +114,7 @@ void Worker::beat_until_over() {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, takeover_ / beats_in_takeover, [this] { return over_; })) {
     lock.unlock();
-    beat();  // a disk that does not take it makes this worker silent, which is all there is to be done
+    beat();  // if the disk fails, this worker becomes silent; nothing else can be done
     lock.lock();
   }
 }
@@ -128,7 +129,8 @@ Life Watch::life_of(const std::string& worker, Clock::time_point now) {
   if (fresh || seen.text != text) {
     seen = {text, now};
   } else {
-    // A longer time was no watching: this process was stopped, and the other perhaps with it.
+    // After a longer gap this process was stopped itself, and perhaps the other worker too, so the gap does
+    // not count in full.
     seen.silence += std::min(Seconds(now - seen.last), takeover / 4);
     seen.last = now;
   }
@@ -139,7 +141,7 @@ Life Watch::life_of(const std::string& worker, Clock::time_point now) {
 }
 
 void Watch::remove_ended() {
-  std::error_code left;  // another does the same
+  std::error_code left;  // another worker may do the same
   for (const auto& entry : fs::directory_iterator(folder_, left)) {
     const std::string name = entry.path().filename().string();
     if (life_of(name.substr(0, name.find('~'))) == Life::ended) fs::remove(entry.path(), left);

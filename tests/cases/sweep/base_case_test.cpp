@@ -61,7 +61,7 @@ TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
     return remark_on_thin_cells(samples_of(sweep, keys_of(sweep), ""));
   };
   EXPECT_THAT(remark({"100", "200"}), IsEmpty());
-  EXPECT_THAT(remark({"10", "100"}), HasSubstr("of 1 of 2 points too thin"));
+  EXPECT_THAT(remark({"10", "100"}), HasSubstr("at 1 of 2 points are too thin"));
   // 10 large spheres and 67 small: 0.94 (pi/6 (270 + 67)/0.64)^(1/3)/3 = 2.04 thick; (3/2.04)^3 times as many
   // make 3.
   EXPECT_THAT(remark({"10"}), testing::AllOf(HasSubstr("down to 2.0"), HasSubstr("mixture.large = 32")));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double small_radius = 0.5;
 
-/// A kind of collision: how they meet, and what is looked at.
+/// A kind of collision: initial velocities, and the quantity to measure.
 struct CollisionKind {
   const char* quantity;
   double friction;
@@ -21,7 +21,7 @@ struct CollisionKind {
   double (*found)(const Rebound& rebound);  ///< in units of the normal speed 1
 };
 
-/// Speeds are so small that overlaps and turns do not count.
+/// Speeds are so small that overlaps and rotations of the normal are negligible.
 std::array<CollisionKind, 4> collision_kinds() {
   const double damping = HookeConstants{}.normal_damping;
   const double mass = reduced_mass_of(small_radius, small_radius);

@@ -13,11 +13,11 @@ struct CollisionError {
   double steps{};        ///< in a collision, t_c/dt
   std::string quantity;  ///< "restitution", "slip stuck", "slip sliding", "spin sliding"
   double expected{};     ///< by the closed form
-  double mean{}, rms{};  ///< (is - expected)/expected
+  double mean{}, rms{};  ///< of (measured - expected)/expected
 };
 
-/// E1: restitution exp(-gamma t/2) head-on; slip with mu = 1e30, and slip and spin with gross sliding, whose
-/// closed forms are those of engine/trials/closed_form.h.
+/// Errors in the panel `collision`: restitution exp(-gamma t/2) of a head-on collision; slip with mu = 1e30;
+/// slip and spin when the contact slides throughout. The closed forms are in engine/trials/closed_form.h.
 std::vector<CollisionError> collision_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<CollisionError>& errors);

@@ -14,7 +14,7 @@ namespace {
 
 const char* name_of(Precision precision) { return precision == Precision::full ? "double" : "mixed"; }
 
-/// In two sizes, squeezed by a bath that is a hundred times the usual one.
+/// A gas of two sizes under a hundred times the usual pressure of the bath.
 struct SqueezedGas {
   Packing start;
   double time;
@@ -40,7 +40,7 @@ struct SqueezedGas {
   }
 };
 
-/// Spheres in flight, whose motion bears about the pressure of the bath.
+/// Spheres in flight, whose kinetic pressure is about the pressure of the bath.
 Packing flying_gas(std::int64_t count) {
   Packing p = dilute_start({.large = count, .start_fraction = 0.25, .seed = 2});
   std::mt19937_64 random(2);

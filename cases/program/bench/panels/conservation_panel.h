@@ -7,17 +7,18 @@
 
 namespace furnas {
 
-/// What a gas that is squeezed, or one in free motion, loses of what should stay.
+/// Error of a conserved quantity, in a compressed gas or a gas in free motion.
 struct ConservationError {
   std::string quantity;  ///< "energy ledger", "momentum", "enthalpy"
   std::string law, precision;
   double step{};   ///< [t_c]
-  double error{};  ///< of the ledger over the energy that went through; of the momentum over sum m abs(v); of
+  double error{};  ///< of the ledger over the energy put in; of the momentum over sum m abs(v); of
                    ///< the enthalpy over the kinetic energy at the start, root mean square
 };
 
-/// E5: ledger and momentum of a gas squeezed until it slides and shears in a cell that moves; enthalpy
-/// K + U + p_a V + W e^2/2 of a gas without friction and damping under a bath.
+/// Errors in the panel `conservation`: ledger and momentum of a gas that is compressed until contacts slide
+/// and the moving cell shears; enthalpy K + U + p_a V + W e^2/2 of a gas without friction and damping under a
+/// bath.
 std::vector<ConservationError> conservation_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<ConservationError>& errors);

@@ -8,7 +8,8 @@
 namespace furnas {
 namespace {
 
-/// The crystal's overlap: so small that its closed form, which is that of no overlap, holds to 1e-4.
+/// Spacing in the crystal. The overlap is so small that the closed form, for zero overlap, is accurate to
+/// 1e-4.
 constexpr double neighbours_apart = 1 - 1e-4;
 
 template <class Law>
@@ -16,7 +17,7 @@ ContactError error_at(double steps) {
   const double step = usual_collision_time() / steps;
   const double gamma = HookeConstants{}.normal_damping;
   const double w = std::sqrt(2 / RowOfTwo::reduced_mass() - gamma * gamma);
-  // Over some four decay times.
+  // Over about four decay times.
   const Oscillation is = oscillation_of_row(model_of<Law>({}, step), static_cast<int>(8 / step));
   const Model stuck = model_of<Law>({.normal_damping = 0, .tangential_damping = 0, .friction = 1e30}, step);
   const double c44 = -stress_per_strain(stuck, face_centred(neighbours_apart, 1), {0, 0, 0, 1, 0, 0})(1, 2);

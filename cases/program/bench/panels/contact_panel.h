@@ -7,12 +7,12 @@
 
 namespace furnas {
 
-/// The errors of contacts that endure, each relative to its closed form.
+/// Errors of enduring contacts, each relative to its closed form.
 struct ContactError {
   std::string law;
   double steps{};      ///< in a collision, t_c/dt
   double decay{};      ///< rate of decay of two spheres squeezed between their images, gamma
-  double frequency{};  ///< its angular frequency, (2 k/m_eff - gamma^2)^(1/2)
+  double frequency{};  ///< angular frequency of these spheres, (2 k/m_eff - gamma^2)^(1/2)
   double shear{};      ///< C44 of a face-centred crystal with stuck contacts
 };
 

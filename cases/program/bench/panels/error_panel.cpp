@@ -8,7 +8,7 @@
 namespace furnas {
 namespace {
 
-/// One kind of error of one precision, packing by packing.
+/// A curve of the chart: one kind of error in one precision, over the packings.
 struct ErrorLine {
   const char* name;
   double ForceError::*error;

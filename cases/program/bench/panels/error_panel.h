@@ -8,7 +8,7 @@
 
 namespace furnas {
 
-/// The forces of one packing in one precision, against long double.
+/// Errors of the forces of one packing in one precision, relative to long double.
 struct ForceErrorRow {
   std::string packing;
   std::size_t particles{};
@@ -17,7 +17,7 @@ struct ForceErrorRow {
   ForceError error;
 };
 
-/// E4. The packings come from outside, so it is made by `furnas bench error`.
+/// The panel of force errors. It needs packings as input, so `furnas bench error` makes it.
 PanelResult panel_of(const std::vector<ForceErrorRow>& rows);
 
 }  // namespace furnas

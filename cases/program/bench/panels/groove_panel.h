@@ -12,13 +12,14 @@ namespace furnas {
 struct GrooveError {
   std::string law;
   double size_ratio{};
-  double step{};               ///< [t_c]
-  std::optional<double> late;  ///< escape from the groove/that of a far shorter step - 1; nothing: it sticks
-  double load{};               ///< largest force of a contact/that on the top; 1 at most is right
-  double wedge{};              ///< angle up to which a wedge is held - atan mu [degrees]
+  double step{};  ///< [t_c]
+  std::optional<double>
+      late;        ///< time of escape over that with a far shorter step, minus 1; empty: it sticks
+  double load{};   ///< largest contact force over the force on top; correct: at most 1
+  double wedge{};  ///< largest angle of a wedge that is held, minus atan mu [degrees]
 };
 
-/// E3: grooves with friction 0.5, wedges with friction 0.2.
+/// Errors in the panel `groove`: grooves with friction 0.5, wedges with friction 0.2.
 std::vector<GrooveError> groove_errors(Effort effort);
 
 PanelResult panel_of(const std::vector<GrooveError>& errors);

@@ -26,11 +26,11 @@ std::span<const Panel> panels() {
             [](Effort effort) { return panel_of(contact_errors(effort)); }},
       Panel{"groove", "a small sphere between two large ones: when it rolls out, at which angle it is held",
             [](Effort effort) { return panel_of(groove_errors(effort)); }},
-      Panel{"conservation", "what a packing in motion loses of energy, enthalpy and momentum",
+      Panel{"conservation", "errors of energy, enthalpy and momentum in a packing in motion",
             [](Effort effort) { return panel_of(conservation_errors(effort)); }},
       Panel{"trajectory", "how long positions stay within 1e-3 d_s of those of a far shorter step",
             [](Effort effort) { return panel_of(trajectory_errors(effort)); }},
-      Panel{"threads", "the bits and the speed of several threads",
+      Panel{"threads", "the speed of several threads, which must all give the same bits",
             [](Effort effort) { return panel_of(thread_rows(effort)); }},
   };
   return all;

@@ -11,26 +11,26 @@
 
 namespace furnas {
 
-/// Speed against error, seen from one side: a table and a chart.
+/// One comparison of speed or error: a table and a chart.
 struct PanelResult {
-  Table table;  ///< all digits
+  Table table;  ///< with all digits
   Chart chart;
 };
 
-/// How much a panel does.
+/// How much work a panel does.
 enum class Effort {
-  quick,  ///< a second: enough to see orders and closed forms
+  quick,  ///< about a second: enough to check orders of convergence and closed forms
   full    ///< some minutes
 };
 
 /// A panel of `furnas bench`.
 struct Panel {
-  std::string name;  ///< of the subcommand and of its files
+  std::string name;  ///< of the subcommand and of the panel's files
   std::string does;
   PanelResult (*make)(Effort effort);
 };
 
-/// All panels that need no packing from outside.
+/// All panels that need no packing as input.
 std::span<const Panel> panels();
 
 /// Writes NAME.csv, NAME.svg and NAME.png into the folder and prints the table. Throws InputError,
@@ -38,10 +38,10 @@ std::span<const Panel> panels();
 void show_panel(const std::string& name, const PanelResult& result, const std::filesystem::path& folder,
                 Console console);
 
-/// A cell of a table: all digits that matter; empty if the number is not known.
+/// A cell of a table: all significant digits; empty if the number is not known.
 std::string panel_cell(double value);
 
-/// The collision time of two small spheres with the usual damping, t_c [time].
+/// The collision time t_c of two small spheres with the default damping [time].
 double usual_collision_time();
 
 }  // namespace furnas

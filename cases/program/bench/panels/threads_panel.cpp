@@ -10,7 +10,7 @@
 namespace furnas {
 namespace {
 
-/// A packing that was pressed for a while, repeated: most of its spheres touch.
+/// A packing after a short compaction, repeated; most of its spheres have contacts.
 Packing pressed_packing(Effort effort) {
   const bool full = effort == Effort::full;
   Protocol protocol;
@@ -49,7 +49,7 @@ std::vector<ThreadsRow> thread_rows(Effort effort) {
 PanelResult panel_of(const std::vector<ThreadsRow>& rows) {
   Table table({"threads", "particles", "rate_median", "rate_low", "rate_high", "speed_up", "speed_up_low",
                "speed_up_high", "state_hash"});
-  Series is{"measured, range of the repeats"}, ideal{"as many times as fast"};
+  Series is{"measured, range of the repeats"}, ideal{"ideal: n threads, n times as fast"};
   is.colour = blue, is.marker = Marker::circle;
   ideal.line = LineStyle::dotted;
   for (const ThreadsRow& r : rows) {
@@ -62,7 +62,7 @@ PanelResult panel_of(const std::vector<ThreadsRow>& rows) {
   }
   Chart chart;
   chart.x.title = "threads";
-  chart.y.title = "speed-up (the same bits for any number)";
+  chart.y.title = "speed-up (the same bits for any number of threads)";
   chart.y.low = 0;
   chart.series = {ideal, is};
   return {table, chart};

@@ -7,16 +7,16 @@
 
 namespace furnas {
 
-/// The speed of so many threads on one packing.
+/// The speed of a number of threads on one packing.
 struct ThreadsRow {
   int threads{};
   std::size_t particles{};
   Spread rate;           ///< million particle-steps a second
-  Spread speed_up;       ///< over the median of one thread
+  Spread speed_up;       ///< rate over the median rate of one thread
   std::uint64_t hash{};  ///< of the state at the end: the same for all
 };
 
-/// E8. Throws std::runtime_error if the states differ.
+/// Rows of the panel `threads`. Throws std::runtime_error if the final states differ.
 std::vector<ThreadsRow> thread_rows(Effort effort);
 
 PanelResult panel_of(const std::vector<ThreadsRow>& rows);

@@ -12,7 +12,7 @@ namespace furnas {
 namespace {
 
 constexpr double far_apart = 1e-3;  // [d_s]
-constexpr double look_every = 0.8;  // [t_c]; a whole number of each step
+constexpr double look_every = 0.8;  // [t_c]; a whole multiple of each time step
 
 using Places = std::vector<Vec3<double>>;
 
@@ -24,7 +24,7 @@ Packing colliding_gas(std::int64_t count) {
   return p;
 }
 
-/// All places at each look.
+/// All positions at each time of comparison.
 std::vector<Places> trajectory(const Packing& start, double step, Precision precision, int threads,
                                int looks) {
   Model model = model_of<HookeSynchronized>({.normal_damping = 0, .tangential_damping = 0, .friction = 0.3},

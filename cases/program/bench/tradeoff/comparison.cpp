@@ -23,7 +23,7 @@ void count(ComparedArm& arm, const SampleRow& row) {
                                  : arm.unfinished);
 }
 
-/// What the samples of an arm are, in lists.
+/// The results of the samples of an arm, as lists.
 struct ArmSamples {
   std::vector<double> phi, wall, core, steps, evaluations;
 };
@@ -51,20 +51,21 @@ ComparedArm arm_of(const std::string& case_name, const std::string& arm_name, co
   return arm;
 }
 
-/// Gives an arm the difference that it has and what follows from it.
+/// Sets the difference of an arm to the reference, its standing, and the samples needed to decide.
 void judge(ComparedArm& arm, const MeanInterval& difference, const MeanInterval& of_reference,
            double margin) {
   arm.difference = difference;
   arm.standing = standing_of(difference, margin);
   if (arm.standing != Standing::undecided || !std::isfinite(difference.half_width)) return;
-  // What there is has not decided: the interval of few samples is wider than the formula's.
+  // The present samples do not decide, because the interval of few samples is wider than in the formula. So
+  // at least one more is needed.
   arm.to_decide =
       std::max(samples_to_decide(arm.phi->deviation, of_reference.deviation, difference.mean, margin),
                std::max(arm.phi->samples, of_reference.samples) + 1);
 }
 
-/// The straight line through the samples of several arms of pressure alone; nothing for fewer than two
-/// pressures.
+/// The straight line through the samples of the arms that change the pressure alone, at p_a = 0; empty for
+/// fewer than two pressures.
 std::optional<ComparedArm> extrapolation(const TradeoffCase& c, const std::vector<ComparedArm>& arms,
                                          const std::vector<ArmSamples>& lists) {
   std::vector<double> pressures, phi;
@@ -100,11 +101,11 @@ void judge_all(ComparedCase& c, const std::vector<ArmSamples>& lists, const ArmS
       arm.standing = Standing::reference;
     } else if (arm.phi && k < lists.size()) {
       judge(arm, difference_interval(lists[k].phi, reference.phi), of_reference, c.margin);
-    } else if (arm.phi) {  // the extrapolation, from other samples than the reference
+    } else if (arm.phi) {  // the extrapolation; its samples are not those of the reference
       MeanInterval d{arm.phi->samples + of_reference.samples, arm.phi->mean - of_reference.mean, 0, 0};
       d.half_width = std::hypot(arm.phi->half_width, of_reference.half_width);
       judge(arm, d, of_reference, c.margin);
-      arm.to_decide.reset();  // the formula is one for two arms
+      arm.to_decide.reset();  // the formula is for two arms
     }
   }
 }

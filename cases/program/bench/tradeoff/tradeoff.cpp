@@ -45,8 +45,8 @@ class Tradeoff {
                                 order_.folder.string())
                  << std::flush;
     if (whole) return ExitCode::done;
-    console_.err << "stopped by a signal; all samples are saved, and the same command, given again, goes on "
-                    "with them\n";
+    console_.err
+        << "stopped by a signal; all samples are saved, and the same command, given again, continues them\n";
     return ExitCode::interrupted;
   }
 
@@ -129,7 +129,7 @@ std::vector<Sample> tradeoff_samples(const TradeoffFile& tradeoff, const fs::pat
 
 namespace {
 
-/// Leaves out what is not in `names`, unless that is empty.
+/// Removes the parts whose name is not in `names`, unless `names` is empty.
 template <class Part, class Keep>
 void select(std::vector<Part>& parts, const std::vector<std::string>& names, Keep&& keep) {
   if (names.empty()) return;
@@ -138,13 +138,13 @@ void select(std::vector<Part>& parts, const std::vector<std::string>& names, Kee
   });
 }
 
-/// A name that nothing has would select nothing, and nobody would notice.
+/// Refuses an unknown name, which would select nothing without a message.
 void require_known(const char* option, const std::vector<std::string>& names,
                    const std::set<std::string>& known) {
   for (const std::string& name : names)
     if (!known.contains(name))
-      throw InputError(fmt::format("{} {}: there is none of that name; allowed: {}", option, name,
-                                   fmt::join(known, ", ")));
+      throw InputError(
+          fmt::format("{} {}: there is no such name; allowed: {}", option, name, fmt::join(known, ", ")));
 }
 
 void select(TradeoffFile& file, const TradeoffOrder& order) {

@@ -16,7 +16,7 @@ Series points(const char* name, const Colour& colour, Marker marker) {
   return s;
 }
 
-/// Texts of charts lower the letter after "_".
+/// In the text of a chart, "_" makes the next letter a subscript.
 std::string words(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
@@ -51,7 +51,7 @@ class WorkPrecision {
     chart.x.title = "core seconds to the end of a sample";
     chart.y.title = "|φ − φ of the reference|, 95 % interval";
     chart.x.logarithmic = chart.y.logarithmic = true;
-    // Labels stand beside the points, the first and the last too.
+    // Leaves room for the labels beside the first and the last point.
     chart.x.low = first_ / 2, chart.x.high = last_ * 2;
     chart.y.low = lowest_ / 3, chart.y.high = top_ * 3;
     chart.notes = std::move(notes_);
@@ -111,7 +111,7 @@ class WorkPrecision {
     margin_.y = {compared_.margin, compared_.margin};
   }
 
-  /// A difference smaller than this is drawn as this: phi has 16 digits and its samples scatter by 1e-3.
+  /// A smaller difference is drawn at this value. It is far below the scatter of phi between samples, 1e-3.
   static constexpr double least = 1e-8;
 
   const ComparedCase& compared_;

@@ -67,7 +67,8 @@ TEST(TradeoffCommand, TellsWhatEachArmCostsAndIsWorth) {
   EXPECT_EQ(rows_of_tradeoff(out)["friction/default"]["unfinished"], "2") << "a report runs nothing";
   ASSERT_EQ(tradeoff_into(out, {"--cases", "friction", "--arms", "paper", "--report"}).code, 0);
   EXPECT_EQ(rows_of_tradeoff(out).size(), 2u) << "the arm and its reference";
-  EXPECT_THAT(tradeoff_into(out, {"--arms", "papper"}).out, HasSubstr("--arms papper: there is none"));
+  EXPECT_THAT(tradeoff_into(out, {"--arms", "papper"}).out,
+              HasSubstr("--arms papper: there is no such name"));
 }
 
 // Stopped by a signal and told again, it ends with the states of one that nobody touched.
