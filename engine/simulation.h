@@ -75,7 +75,7 @@ enum class Execution {
   as_graph
 };
 
-/// A simulation of `model` that starts from `packing`. Throws InputError with the numbers (index + 1) of
+/// A simulation of `model` that starts from `packing`. Throws InputError with the ids of
 /// particles that are not finite, have no size, or share a centre.
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads = 1,
                                             Execution execution = Execution::automatic);

@@ -73,8 +73,8 @@ std::string audit_contacts(const Packing& p, std::size_t sample, std::uint64_t k
   for (const auto& [i, contacts] : listed) {
     const std::vector<Touching> all = touching(p, i);
     const auto sentence = [&, i = i](const Touching& t, const char* what) {
-      return "the neighbour list " + std::string(what) + " particles " + std::to_string(i + 1) + " and " +
-             std::to_string(t.partner + 1) + " (overlap " + std::to_string(t.overlap) + " d_s) at step " +
+      return "the neighbour list " + std::string(what) + " particles " + std::to_string(p.id(i)) + " and " +
+             std::to_string(p.id(t.partner)) + " (overlap " + std::to_string(t.overlap) + " d_s) at step " +
              std::to_string(p.step) + "; this is an error of the program";
     };
     if (const auto missed = unmatched(all, contacts)) return sentence(*missed, "has missed the contact of");

@@ -9,8 +9,9 @@
 namespace furnas {
 namespace {
 
-std::string name(std::size_t k) { return std::to_string(k + 1); }
-std::string names(const Contact& c) { return name(c.i) + " and " + name(c.j); }
+std::string names(const Packing& p, const Contact& c) {
+  return std::to_string(p.id(c.i)) + " and " + std::to_string(p.id(c.j));
+}
 
 std::string at(const Packing& p) { return " at step " + std::to_string(p.step); }
 
@@ -18,7 +19,7 @@ std::string run_through(const Packing& p) {
   for (const Contact& c : p.contacts) {
     const double share = c.overlap / (p.radius[c.i] + p.radius[c.j]);
     if (share > deepest_overlap)
-      return "particles " + names(c) +
+      return "particles " + names(p, c) +
              " have run into each other until their centres nearly coincide (overlap " +
              std::to_string(share) + " of the sum of their radii)" + at(p) + "; press more slowly";
   }

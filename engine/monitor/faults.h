@@ -7,7 +7,7 @@
 
 namespace furnas {
 
-/// A sentence, with particle numbers (index + 1) and step, about the first fault of a packing; empty if there
+/// A sentence, with the ids of particles and the step, about the first fault of a packing; empty if there
 /// is none. In a packing without fault all numbers are finite, the volume of the spheres is below that of the
 /// cell, no two centres nearly coincide, and the time step is stable for the present contacts.
 std::string fault_of(const Packing& packing, const Model& model);

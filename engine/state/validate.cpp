@@ -10,7 +10,7 @@
 namespace furnas {
 namespace {
 
-std::string name(std::size_t k) { return "particle " + std::to_string(k + 1); }
+std::string name(const Packing& p, std::size_t k) { return "particle " + std::to_string(p.id(k)); }
 
 bool finite(const Ledger& l) {
   return std::isfinite(l.initial + l.cell_work + l.losses.total() + l.quenched + l.last.losses.total()) &&
@@ -30,12 +30,12 @@ std::string flaw_of_cell(const Packing& p) {
 
 std::string flaw_of_particle(const Packing& p, std::size_t k) {
   if (!(p.radius[k] > 0) || !(p.mass[k] > 0) || !std::isfinite(p.radius[k] + p.mass[k]))
-    return name(k) + " has radius " + std::to_string(p.radius[k]) + " and mass " + std::to_string(p.mass[k]) +
-           "; both must be above zero and finite";
+    return name(p, k) + " has radius " + std::to_string(p.radius[k]) + " and mass " +
+           std::to_string(p.mass[k]) + "; both must be above zero and finite";
   const std::pair<const char*, const Vec3<double>&> values[] = {
       {"velocity", p.velocity[k]}, {"spin", p.spin[k]}, {"force", p.force[k]}, {"torque", p.torque[k]}};
   for (const auto& [what, value] : values)
-    if (!finite(value)) return "the " + std::string(what) + " of " + name(k) + " is not finite";
+    if (!finite(value)) return "the " + std::string(what) + " of " + name(p, k) + " is not finite";
   return {};
 }
 
@@ -50,8 +50,8 @@ std::string flaw_of_spheres(const Packing& p) {
 std::string flaw_of_contact(const Packing& p, const Contact& c) {
   if (c.i >= p.size() || c.j >= p.size()) return "a contact names a particle that is not there";
   if (finite(c.force) && finite(c.history) && finite(c.branch) && std::isfinite(c.overlap)) return {};
-  return "the force, the history or the overlap of the contact of particles " + std::to_string(c.i + 1) +
-         " and " + std::to_string(c.j + 1) + " is not finite";
+  return "the force, the history or the overlap of the contact of particles " + std::to_string(p.id(c.i)) +
+         " and " + std::to_string(p.id(c.j)) + " is not finite";
 }
 
 void refuse_common_centres(const Packing& p) {
@@ -64,7 +64,7 @@ void refuse_common_centres(const Packing& p) {
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   for (std::size_t n = 1; n < order.size(); ++n)
     if (p.fraction[order[n - 1]] == p.fraction[order[n]])
-      throw InputError(name(order[n - 1]) + " and " + name(order[n]) + " have the same centre");
+      throw InputError(name(p, order[n - 1]) + " and " + name(p, order[n]) + " have the same centre");
 }
 
 }  // namespace

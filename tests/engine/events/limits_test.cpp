@@ -58,6 +58,8 @@ TEST(Loading, RefusesWhatIsNoNumberByTheParticle) {
   p = gas();
   p.fraction[7] = p.fraction[3];
   EXPECT_THAT(refusal(p), HasSubstr("particle 4 and particle 8 have the same centre"));
+  for (std::size_t k = 0; k < p.size(); ++k) p.labels.id.push_back(100 + static_cast<std::int64_t>(k));
+  EXPECT_THAT(refusal(p), HasSubstr("particle 103 and particle 107 have the same centre")) << "ids of a file";
 }
 
 TEST(Budget, EndsAtItsStepAndNotBefore) {
