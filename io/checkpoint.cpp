@@ -177,7 +177,7 @@ std::string bytes_of(const std::vector<T>& list) {
 template <class T>
 std::vector<T> list_in(const std::string& bytes) {
   std::vector<T> list(bytes.size() / sizeof(T));
-  std::memcpy(list.data(), bytes.data(), sizeof(T) * list.size());
+  if (!list.empty()) std::memcpy(list.data(), bytes.data(), sizeof(T) * list.size());
   return list;
 }
 
