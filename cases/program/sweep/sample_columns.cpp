@@ -84,16 +84,16 @@ const SampleColumn sample_column_table[] = {
     {{"preset", "", "sample", "the preset of the case"}, "", [](SampleRow& r) -> Value { return &r.preset; }},
 };
 
-}  // namespace
-
-std::span<const SampleColumn> sample_columns() { return sample_column_table; }
-
 /// Whether a column counts spheres of a species, which a polydisperse packing and a sample without a result
 /// do not have.
 bool counts_a_species(const SampleColumn& column) {
   const std::string_view name = column.about.name;
   return name.starts_with("large") || name.starts_with("small");
 }
+
+}  // namespace
+
+std::span<const SampleColumn> sample_columns() { return sample_column_table; }
 
 std::string cell_of(const SampleColumn& column, const SampleRow& row) {
   if (counts_a_species(column) && row.large + row.small == 0) return "";
