@@ -15,7 +15,7 @@
 namespace furnas {
 namespace {
 
-constexpr SectionFormat format{checkpoint_magic, 2};
+constexpr SectionFormat checkpoint_format{checkpoint_magic, 2};
 
 static_assert(sizeof(Cell) == 12 * sizeof(double) && sizeof(Fraction) == 3 * sizeof(std::uint64_t) &&
                   sizeof(Vec3<double>) == 3 * sizeof(double) && sizeof(Ledger) == 17 * sizeof(double),
@@ -28,7 +28,7 @@ using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
 /// Writes the sections that exchange() lists.
 class Saver {
  public:
-  explicit Saver(const std::filesystem::path& path) : writer_(path, format) {}
+  explicit Saver(const std::filesystem::path& path) : writer_(path, checkpoint_format) {}
 
   template <class T>
   void one(std::string_view name, const T& value) {
@@ -63,7 +63,7 @@ class Saver {
 /// sets their size in advance.
 class Loader {
  public:
-  explicit Loader(const std::filesystem::path& path) : reader_(path, format) {}
+  explicit Loader(const std::filesystem::path& path) : reader_(path, checkpoint_format) {}
 
   template <class T>
   void one(std::string_view name, T& value) {

@@ -8,10 +8,10 @@
 namespace furnas {
 namespace {
 
-constexpr std::string_view head =
+constexpr std::string_view pvd_head =
     "<?xml version=\"1.0\"?>\n"
     "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
-constexpr std::string_view tail = "  </Collection>\n</VTKFile>\n";
+constexpr std::string_view pvd_tail = "  </Collection>\n</VTKFile>\n";
 
 /// The value of name="value" in the current line.
 std::string attribute(const TextReader& reader, const std::string& name) {
@@ -28,12 +28,12 @@ std::string attribute(const TextReader& reader, const std::string& name) {
 std::string frame_file(std::size_t number) { return fmt::format("frames/packing_{:06}.vtp", number); }
 
 std::string frames_text(const std::vector<SavedFrame>& frames) {
-  std::string text(head);
+  std::string text(pvd_head);
   for (const SavedFrame& frame : frames) {
     require(frame.file.find_first_of("<>&\"\n") == std::string::npos, "file names of frames need no escapes");
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
   }
-  return text.append(tail);
+  return text.append(pvd_tail);
 }
 
 std::vector<SavedFrame> read_frames(const std::filesystem::path& path) {

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "engine/monitor/energy.h"
-#include "tests/engine/laws/collision.h"
+#include "engine/trials/collision.h"
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/support/compaction.h"
 

@@ -6,8 +6,9 @@
 #include <iostream>
 #include <vector>
 
+#include "engine/trials/crystal.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/phases/crystal.h"
+#include "tests/engine/support/setups.h"
 #include "tests/engine/support/symmetries.h"
 
 namespace furnas {

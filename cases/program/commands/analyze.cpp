@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct AnalyzeOptions {
   std::string source;
   std::optional<std::int64_t> frame;
   std::string out;
@@ -29,7 +29,7 @@ struct Options {
   bool no_pictures = false;
 };
 
-AnalysisOptions analysis_options(const Options& options, const PackingSource& source) {
+AnalysisOptions analysis_options(const AnalyzeOptions& options, const PackingSource& source) {
   AnalysisOptions analysis = options.analysis;
   const auto about = case_about(source, options.source);
   const double of_case = about ? about->contact.friction : 0;
@@ -40,7 +40,7 @@ AnalysisOptions analysis_options(const Options& options, const PackingSource& so
   return analysis;
 }
 
-AnalysisRecord analyze_source(const Options& options) {
+AnalysisRecord analyze_source(const AnalyzeOptions& options) {
   PackingSource source = packing_source(options.source, options.frame);
   validate(source.packing);
   AnalysisRecord record;
@@ -156,7 +156,7 @@ std::string summary(const AnalysisRecord& record) {
 }  // namespace
 
 Command analyze_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AnalyzeOptions>();
   Command command;
   command.name = "analyze";
   command.does = "measure a packing: contacts, rattlers, forces, fabric, g(r)";

@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options of all subcommands, and the subcommands themselves.
-struct Options {
+/// BenchOptions of all subcommands, and the subcommands themselves.
+struct BenchOptions {
   std::optional<CommandLine> speed;
   std::optional<CommandLine> error;
   std::optional<CommandLine> peers;
@@ -56,7 +56,7 @@ std::vector<int> usual_threads() {
   return all > 1 ? std::vector{1, all} : std::vector{1};
 }
 
-void declare_speed(CommandLine& bench, Options& o) {
+void declare_speed(CommandLine& bench, BenchOptions& o) {
   o.speed = bench.subcommand("speed", "million particle-steps per second, and the error of the forces");
   o.threads = usual_threads();
   add_packing_choice(*o.speed, o.packings);
@@ -84,7 +84,7 @@ void declare_speed(CommandLine& bench, Options& o) {
   o.speed->add("--csv", o.csv, "file for the results with all digits");
 }
 
-void declare_error(CommandLine& bench, Options& o) {
+void declare_error(CommandLine& bench, BenchOptions& o) {
   o.error = bench.subcommand("error", "how far the forces are from those in long double");
   add_packing_choice(*o.error, o.packings);
   o.error->add("--friction", o.friction, "contact.friction").separated_by(',').showing_default();
@@ -93,7 +93,7 @@ void declare_error(CommandLine& bench, Options& o) {
   o.error->add("--out", o.error_folder, "folder for the table and a chart");
 }
 
-void declare_peers(CommandLine& bench, Options& o) {
+void declare_peers(CommandLine& bench, BenchOptions& o) {
   o.peers =
       bench.subcommand("peers", "speed of furnas and of an installed LAMMPS on the same packing, in turn");
   o.match.ranks = available_threads();
@@ -111,7 +111,7 @@ void declare_peers(CommandLine& bench, Options& o) {
                "folder for the files of LAMMPS, which is kept; default: a temporary one");
 }
 
-void declare_prepare(CommandLine& bench, Options& o) {
+void declare_prepare(CommandLine& bench, BenchOptions& o) {
   o.prepare = bench.subcommand("prepare", "make the packings for bench speed and bench error");
   o.making.ratios = benchmark_ratios();
   o.prepare->add("--out", o.making.folder, "folder for the packings").showing_default();
@@ -124,7 +124,7 @@ void declare_prepare(CommandLine& bench, Options& o) {
   o.prepare->add("--walltime", o.making.walltime, "stop each case and save after e.g. 30m or 2h");
 }
 
-void declare_tradeoff(CommandLine& bench, Options& o) {
+void declare_tradeoff(CommandLine& bench, BenchOptions& o) {
   o.tradeoff =
       bench.subcommand("tradeoff", "compare settings: seconds to the end of a run, and phi with its error");
   o.arms.jobs = available_threads();
@@ -144,7 +144,7 @@ void declare_tradeoff(CommandLine& bench, Options& o) {
                    "run nothing; write tables and charts of the samples in the folder");
 }
 
-void declare_panels(CommandLine& bench, Options& o) {
+void declare_panels(CommandLine& bench, BenchOptions& o) {
   for (const Panel& panel : panels()) {
     CommandLine& app = o.panels.emplace_back(bench.subcommand(panel.name, panel.does));
     app.add("--out", o.panel_folder, "folder for table and chart").showing_default();
@@ -153,7 +153,7 @@ void declare_panels(CommandLine& bench, Options& o) {
   }
 }
 
-ExitCode speed(Options& o, Console console) {
+ExitCode speed(BenchOptions& o, Console console) {
   std::map<int, double> bandwidth;
   const std::size_t bytes =
       o.triad_megabytes > 0 ? static_cast<std::size_t>(o.triad_megabytes * 1e6) : triad_size();
@@ -182,7 +182,7 @@ ExitCode speed(Options& o, Console console) {
   return ExitCode::done;
 }
 
-ExitCode error(Options& o, Console console) {
+ExitCode error(BenchOptions& o, Console console) {
   std::vector<ForceErrorRow> rows;
   for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
     for (const double friction : o.friction)
@@ -198,7 +198,7 @@ ExitCode error(Options& o, Console console) {
   return ExitCode::done;
 }
 
-ExitCode peers(Options& o, Console console) {
+ExitCode peers(BenchOptions& o, Console console) {
   const bool passing = o.match.folder.empty();
   if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
   make_folder(o.match.folder);
@@ -207,7 +207,7 @@ ExitCode peers(Options& o, Console console) {
   return code;
 }
 
-ExitCode show(const Panel& panel, Options& o, Console console) {
+ExitCode show(const Panel& panel, BenchOptions& o, Console console) {
   show_panel(panel.name, panel.make(o.quick ? Effort::quick : Effort::full), o.panel_folder, console);
   return ExitCode::done;
 }
@@ -215,7 +215,7 @@ ExitCode show(const Panel& panel, Options& o, Console console) {
 }  // namespace
 
 Command bench_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   return {
       .name = "bench",
       .does = "measure speed and error, and compare the speed with LAMMPS",

@@ -16,7 +16,7 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct CertifyOptions {
   std::string source;
   std::optional<std::int64_t> frame;
   std::string out;
@@ -44,7 +44,7 @@ void announce(std::size_t particles, bool friction, Console console) {
 
 /// The limits of the case; the limit of the force balance is at least `loose_imbalance`
 /// (engine/events/at_rest.h).
-CertificateTerms terms_of(const PackingSource& source, const Options& options) {
+CertificateTerms terms_of(const PackingSource& source, const CertifyOptions& options) {
   const Case& c = *source.of_case;
   CertificateTerms terms;
   const Protocol protocol = protocol_of(c);
@@ -69,7 +69,7 @@ CertificateTerms terms_of(const PackingSource& source, const Options& options) {
 
 /// A packing with its pressure and friction, which follow from its run or from the options. In a file without
 /// contacts the overlaps are taken as contacts, without histories.
-PackingSource told_source(const Options& options) {
+PackingSource told_source(const CertifyOptions& options) {
   PackingSource source = packing_source(options.source, options.frame);
   if (source.of_case) {
     if (options.pressure || options.friction)
@@ -96,7 +96,7 @@ PackingSource told_source(const Options& options) {
 }  // namespace
 
 Command certify_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CertifyOptions>();
   Command command;
   command.name = "certify";
   command.does = "say whether a finished packing is jammed, from positions and histories alone";

@@ -18,7 +18,7 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string source;
   std::optional<std::int64_t> frame;
   std::string format;
@@ -41,11 +41,12 @@ void announce(const std::string& what, double bytes, double memory, const std::s
 }
 
 /// The edge of the grid: that of --edge, or a sixteenth of the smallest diameter.
-double edge_of(const Options& options, const Packing& packing) {
+double edge_of(const ExportOptions& options, const Packing& packing) {
   return options.edge.value_or(smallest_diameter(packing) / 16);
 }
 
-void export_voxels(const Options& options, const Packing& packing, const std::string& out, Console console) {
+void export_voxels(const ExportOptions& options, const Packing& packing, const std::string& out,
+                   Console console) {
   const VoxelPlan plan = plan_voxels(packing, edge_of(options, packing));
   const auto& n = plan.grid.points;
   const auto& h = plan.grid.spacing;
@@ -55,7 +56,8 @@ void export_voxels(const Options& options, const Packing& packing, const std::st
   write_voxels(plan, out);
 }
 
-void export_stl(const Options& options, const Packing& packing, const std::string& out, Console console) {
+void export_stl(const ExportOptions& options, const Packing& packing, const std::string& out,
+                Console console) {
   const double edge = edge_of(options, packing);
   const SurfacePlan plan = plan_surface(packing, edge, options.box);
   announce(fmt::format("about {:.2g} triangles on a grid of {:.4g} d_s", plan.triangles, edge), plan.bytes,
@@ -67,7 +69,7 @@ void export_stl(const Options& options, const Packing& packing, const std::strin
 struct SolidFormat {
   const char* name;
   const char* extension;
-  void (*write)(const Options&, const Packing&, const std::string& out, Console);
+  void (*write)(const ExportOptions&, const Packing&, const std::string& out, Console);
 };
 
 constexpr SolidFormat solids[] = {{"stl", ".stl", export_stl}, {"voxels", ".mhd", export_voxels}};
@@ -75,7 +77,7 @@ constexpr SolidFormat solids[] = {{"stl", ".stl", export_stl}, {"voxels", ".mhd"
 /// Another word for FORMAT: the contacts alone, for scripts.
 constexpr const char* contacts = "contacts";
 
-void export_contacts(const Options& options, const std::string& out) {
+void export_contacts(const ExportOptions& options, const std::string& out) {
   const Packing packing = packing_source(options.source, options.frame).packing;
   if (packing.contacts.empty())
     throw InputError(options.source +
@@ -99,7 +101,7 @@ void export_packing(const std::string& format, const Packing& packing, const std
 /// Another word for FORMAT: a folder with all that LAMMPS needs.
 constexpr const char* kit = "lammps";
 
-std::string write_kit(const Options& o) {
+std::string write_kit(const ExportOptions& o) {
   const PackingSource source = packing_source(o.source, o.frame);
   const auto c = case_about(source, o.source);
   if (!c)
@@ -125,7 +127,7 @@ void require_known_format(const std::string& format) {
   throw InputError(fmt::format("'{}' is no format to write; allowed are {}", format, all));
 }
 
-void require_solid_options_fit(const Options& options) {
+void require_solid_options_fit(const ExportOptions& options) {
   if (options.edge && !solid_of(options.format))
     throw InputError(fmt::format("--edge and {} exclude each other; allowed: stl, voxels", options.format));
   if (options.box && options.format != "stl")
@@ -135,7 +137,7 @@ void require_solid_options_fit(const Options& options) {
 }  // namespace
 
 Command export_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   Command command;
   command.name = "export";
   command.does = "write a packing in another format, or all that LAMMPS needs to continue a run";

@@ -16,13 +16,13 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct ModelOptions {
   double mono = 0, half_width = 0, friction = 0, step = 0.05;
   std::vector<std::string> sweeps;
   std::string out;
 };
 
-FurnasInterval model_of(const Options& o) {
+FurnasInterval model_of(const ModelOptions& o) {
   if (o.sweeps.empty()) {
     if (!(o.mono - o.half_width > 0 && o.mono + o.half_width < 1))
       throw InputError(
@@ -57,7 +57,7 @@ Table table_of(const FurnasInterval& model, double step) {
 }  // namespace
 
 Command model_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModelOptions>();
   Command command;
   command.name = "model";
   command.does = "the generalized Furnas model: f_max, phi_max and phi(f_s), with intervals";

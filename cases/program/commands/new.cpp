@@ -23,7 +23,7 @@ struct Name {
   std::string_view file;  ///< the case file in cases/ of this name
 };
 
-constexpr auto names = std::to_array<Name>({
+constexpr auto templates = std::to_array<Name>({
     {"mono", "first_packing"},
     {"frictionless", "frictionless"},
     {"bidisperse", "bidisperse_5"},
@@ -31,7 +31,7 @@ constexpr auto names = std::to_array<Name>({
     {"smoke", "smoke"},
 });
 
-struct Options {
+struct NewOptions {
   std::string name;
   std::string file;
 };
@@ -52,13 +52,13 @@ std::string title(const Name& name) {
 
 std::string list_of_templates() {
   std::string list;
-  for (const Name& name : names) list += fmt::format("\n  {:<14}{}", name.name, title(name));
+  for (const Name& name : templates) list += fmt::format("\n  {:<14}{}", name.name, title(name));
   return list;
 }
 
 std::string known_names() {
   std::string list;
-  for (const Name& name : names) list += fmt::format("{}{}", list.empty() ? "" : ", ", name.name);
+  for (const Name& name : templates) list += fmt::format("{}{}", list.empty() ? "" : ", ", name.name);
   return list;
 }
 
@@ -73,10 +73,10 @@ void write_new(const std::string& file, std::string_view text) {
     throw InputError(fmt::format("{} cannot be written: {}", file, std::generic_category().message(errno)));
 }
 
-ExitCode run(const Options& options, Console console) {
+ExitCode run(const NewOptions& options, Console console) {
   const auto* const name =
-      std::find_if(names.begin(), names.end(), [&](const Name& known) { return known.name == options.name; });
-  if (name == names.end())
+      std::find_if(templates.begin(), templates.end(), [&](const Name& known) { return known.name == options.name; });
+  if (name == templates.end())
     throw InputError(fmt::format("TEMPLATE = {} is unknown; allowed: {}", options.name, known_names()));
   const std::string file = options.file.empty() ? options.name + ".toml" : options.file;
   write_new(file, text_of(*name));
@@ -87,7 +87,7 @@ ExitCode run(const Options& options, Console console) {
 }  // namespace
 
 Command new_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<NewOptions>();
   return {
       .name = "new",
       .does = "write a commented case file to start from",

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct PlotOptions {
   std::vector<std::string> sweeps;
   PlotOrder order;
   std::string out;
@@ -39,7 +39,7 @@ void write(const Plot& plot, const fs::path& file) {
 }  // namespace
 
 Command plot_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlotOptions>();
   Command command;
   command.name = "plot";
   command.does = "draw a column of sweeps against a key of the case, with 95 % intervals and the model";

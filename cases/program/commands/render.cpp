@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct RenderOptions {
   std::string source;
   std::optional<std::int64_t> frame;
   std::string out = "packing.png";
@@ -62,7 +62,7 @@ Slice parse_slice(const std::string& text) {
   return slice;
 }
 
-PictureOptions picture_of(const Options& options, const PackingSource& source) {
+PictureOptions picture_of(const RenderOptions& options, const PackingSource& source) {
   PictureOptions picture = options.picture;
   picture.width = picture.height = options.size;
   picture.style = styles.at(options.style);
@@ -83,7 +83,7 @@ PictureOptions picture_of(const Options& options, const PackingSource& source) {
 }
 
 /// The packing. If the picture needs contacts and the file has none, overlaps are taken as contacts.
-PackingSource drawn_source(const std::string& name, const Options& options) {
+PackingSource drawn_source(const std::string& name, const RenderOptions& options) {
   PackingSource source = packing_source(name, options.frame);
   const bool asks_for_contacts = options.colour != "species" || options.style == "chains";
   if (source.packing.contacts.empty() && asks_for_contacts)
@@ -115,7 +115,7 @@ void film(const fs::path& out, Console console) {
 }
 
 /// Pictures of the packing from all sides, in one full turn.
-void render_turning(const Options& options, const PackingSource& source, Console console) {
+void render_turning(const RenderOptions& options, const PackingSource& source, Console console) {
   PictureOptions picture = picture_of(options, source);
   picture.room = room_of(source.packing, picture.times);
   for (int n = 0; n < options.turning; ++n) {
@@ -128,7 +128,7 @@ void render_turning(const Options& options, const PackingSource& source, Console
 }
 
 /// Pictures of all saved frames of the run, all with the same scale.
-void render_compaction(const Options& options, Console console) {
+void render_compaction(const RenderOptions& options, Console console) {
   const fs::path folder = options.source;
   if (!fs::exists(folder / "frames.pvd"))
     throw InputError(
@@ -157,7 +157,7 @@ void render_compaction(const Options& options, Console console) {
 }  // namespace
 
 Command render_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   Command command;
   command.name = "render";
   command.does = "draw a packing, without a display";

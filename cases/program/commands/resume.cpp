@@ -9,7 +9,7 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct ResumeOptions {
   std::string folder;
   std::string walltime;
   std::optional<int> threads;
@@ -20,7 +20,7 @@ struct Options {
 }  // namespace
 
 Command resume_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ResumeOptions>();
   Command command;
   command.name = "resume";
   command.does = "continue a stopped run";

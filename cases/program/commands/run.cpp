@@ -15,7 +15,7 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string file;
   std::vector<std::string> set;
   std::string out;
@@ -36,7 +36,7 @@ void announce_start(const Case& c, Console console) {
 }  // namespace
 
 Command run_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   Command command;
   command.name = "run";
   command.does = "run a case to its verdict";

@@ -14,7 +14,7 @@
 namespace furnas {
 namespace {
 
-struct Options {
+struct SchemaOptions {
   bool markdown = false;
   bool outputs = false;
 };
@@ -80,7 +80,7 @@ void print_markdown(std::ostream& out) {
 }  // namespace
 
 Command schema_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SchemaOptions>();
   return {
       .name = "schema",
       .does = "list every key of the case file, or describe the files of runs and sweeps",

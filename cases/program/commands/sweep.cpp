@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SweepOptions {
   std::string file, out, takeover, walltime, partition;
   std::vector<std::string> set;
   std::optional<int> jobs;
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// The command line of a worker, which also works from another current directory.
-std::vector<std::string> command_of(const Options& o, const fs::path& folder) {
+std::vector<std::string> command_of(const SweepOptions& o, const fs::path& folder) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep",
                                  fs::absolute(o.file).lexically_normal().string(), "--out", folder.string()};
   for (const std::string& assignment : o.set) words.insert(words.end(), {"--set", assignment});
@@ -39,7 +39,7 @@ std::vector<std::string> command_of(const Options& o, const fs::path& folder) {
 }
 
 /// Writes the script that runs the sweep in Slurm, and prints how to submit it.
-ExitCode write_slurm(const Options& o, const SweepOrder& order, Console console) {
+ExitCode write_slurm(const SweepOptions& o, const SweepOrder& order, Console console) {
   const fs::path folder = fs::absolute(order.folder).lexically_normal();
   std::vector<Sample> samples = samples_of(order.file, keys_of(order.file), folder);
   const std::size_t all = samples.size();
@@ -62,7 +62,7 @@ ExitCode write_slurm(const Options& o, const SweepOrder& order, Console console)
 }  // namespace
 
 Command sweep_command() {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   Command command;
   command.name = "sweep";
   command.does =

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/monitor/measure.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/graph_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

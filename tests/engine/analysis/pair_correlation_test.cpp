@@ -7,8 +7,9 @@
 
 #include "engine/base/require.h"
 #include "engine/start/replicate.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/random_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

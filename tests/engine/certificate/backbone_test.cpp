@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

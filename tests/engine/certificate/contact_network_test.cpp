@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "engine/certificate/statics.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

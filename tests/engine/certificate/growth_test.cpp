@@ -9,28 +9,23 @@
 
 #include "engine/certificate/certify.h"
 #include "engine/certificate/statics.h"
-#include "tests/engine/phases/crystal.h"
-#include "tests/engine/support/driven.h"
+#include "engine/trials/crystal.h"
+#include "engine/trials/driven.h"
+#include "tests/engine/certificate/chain.h"
 
 namespace furnas {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double r = 0.98;      // distance of neighbours
-constexpr double push = 1 - r;  // F_n between them
+using test::chain;
+using test::push;
+using test::r;
 
 /// What is found of a packing all of whose particles count.
 Growth growth_of(const Packing& p, const HookeConstants& constants, const CellMotion& cell) {
   const ContactNetwork network = contact_network(p, {.law = HookeSynchronized{constants}});
   return find_growth(SmallMotion(network, find_backbone(network, p.species, {0, 0}), cell));
-}
-
-/// A straight chain of spheres that presses against its own image.
-Packing chain(int length) {
-  std::vector<Ball> balls;
-  for (int k = 0; k < length; ++k) balls.push_back({.position = {k * r, 2, 2}});
-  return packing_of({length * r, 4, 4, 0, 0, 0}, balls);
 }
 
 // A chain under pressure buckles: no dashpot feels a step across it, so that a wave q grows with the rate
@@ -150,7 +145,7 @@ TEST(Growth, IsThatOfTheEngine) {
     const Vec3<double> place = start.position(0);
     start.fraction[0] = to_fraction(inverse(start.cell.edges) * (place + Vec3<double>{aside, 0, 0}));
     constexpr double step = 0.002;
-    test::Driven<HookeSynchronized> run(
+    Driven<HookeSynchronized> run(
         model_of<HookeSynchronized>({.normal_damping = damping, .tangential_damping = 0, .friction = mu},
                                     step),
         start, [](std::size_t k, const Vec3<double>&, double) {

@@ -8,13 +8,15 @@
 #include "engine/certificate/constraints.h"
 #include "engine/certificate/moduli.h"
 #include "engine/certificate/statics.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
+#include "tests/engine/certificate/chain.h"
 
 namespace furnas {
 namespace {
 
-constexpr double r = 0.98;      // distance of neighbours
-constexpr double push = 1 - r;  // F_n between them
+using test::chain;
+using test::push;
+using test::r;
 
 /// The backbone of all particles of a packing, and what it answers.
 struct Answer {
@@ -92,13 +94,6 @@ TEST(Elasticity, OfSimpleCubicNeedsFriction) {
   const Answer one(simple_cubic(r, 1), 0);
   EXPECT_EQ(one.modes.negative, 3);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(one.modes.lowest[std::size_t(k)], -12 * push / r, 1e-13);
-}
-
-/// A straight chain of spheres that presses against its own image.
-Packing chain(int length) {
-  std::vector<Ball> balls;
-  for (int k = 0; k < length; ++k) balls.push_back({.position = {k * r, 2, 2}});
-  return packing_of({length * r, 4, 4, 0, 0, 0}, balls);
 }
 
 // A chain under pressure buckles: a transverse wave q has the eigenvalue -2 (F/r) (1 - cos q), in two

@@ -6,8 +6,9 @@
 
 #include "engine/certificate/statics.h"
 #include "engine/certificate/stiffness.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -52,7 +53,7 @@ struct Pair {
   const StaticContact& contact() const { return network.contacts.at(0); }
 };
 
-Vec3<double> three(const VectorXd& v, std::uint32_t k, Eigen::Index from) {
+Vec3<double> three_of(const VectorXd& v, std::uint32_t k, Eigen::Index from) {
   const Eigen::Index at = 6 * k + from;
   return {v[at], v[at + 1], v[at + 2]};
 }
@@ -71,7 +72,7 @@ struct Answer {
 
   Answer(const Pair& pair, const Law& law, const VectorXd& z, const VectorXd& w) {
     const StaticContact& c = pair.contact();
-    const auto between = [&](const VectorXd& v) { return three(v, c.i, 0) - three(v, c.j, 0); };
+    const auto between = [&](const VectorXd& v) { return three_of(v, c.i, 0) - three_of(v, c.j, 0); };
     const Vec3<double> drift = between(z) + strain_of(pair, z) * c.branch;
     touch.branch = c.branch + drift;
     touch.distance = norm(touch.branch);
@@ -82,8 +83,8 @@ struct Answer {
     touch.time_step = 1;
     touch.drift = drift;
     const auto seen = [&](const VectorXd& v) {
-      RelativeMotion<double> m{between(v), three(v, c.i, 3) * (1 / touch.radius_i),
-                               three(v, c.j, 3) * (1 / touch.radius_j)};
+      RelativeMotion<double> m{between(v), three_of(v, c.i, 3) * (1 / touch.radius_i),
+                               three_of(v, c.j, 3) * (1 / touch.radius_j)};
       if (pair.cell.affine_velocity) m.velocity += strain_of(pair, v) * touch.branch;
       return m;
     };

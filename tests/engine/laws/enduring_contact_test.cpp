@@ -3,28 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/trials/row_of_two.h"
 #include "tests/engine/laws/every_law.h"
 #include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
-
-constexpr double radius = 0.5;
-constexpr double squeeze = 0.02;                       // overlap of both contacts [d_s]
-constexpr double length = 2 * (2 * radius - squeeze);  // of the cell along x [d_s]
-const double mass = reduced_mass_of(radius, radius);
-
-/// Two equal spheres in a row in a cell so short that they touch on both sides, the second time through the
-/// face; `shift` is how much further than half the cell they are apart.
-Packing row_of_two(double shift, const Vec3<double>& spin) {
-  return packing_of({length, 16, 16, 0, 0, 0}, {{.position = {-shift / 2, 8, 8}, .spin = spin},
-                                                {.position = {(length + shift) / 2, 8, 8}}});
-}
-
-/// Distance beyond half the cell, from the integers so that nothing is lost.
-double shift_of(const Packing& p) {
-  return length * from_fixed(p.fraction[1].x - p.fraction[0].x - (std::uint64_t{1} << 63));
-}
 
 template <class Law>
 class EnduringContact : public testing::Test {};
@@ -37,18 +21,18 @@ TYPED_TEST(EnduringContact, ThroughBothImagesFollowsItsRecurrence) {
   const double amplitude = 1e-2;
   const double dt = paper_step;
   const double g = 2 * HookeConstants{}.normal_damping;
-  const auto simulation = make_simulation(model_of<TypeParam>({}), row_of_two(amplitude, {}));
-  double before = shift_of(simulation->packing());
+  const auto simulation = make_simulation(model_of<TypeParam>({}), RowOfTwo::start(amplitude, {}));
+  double before = RowOfTwo::shift_of(simulation->packing());
   simulation->advance(1);
-  double now = shift_of(simulation->packing());
-  double acceleration = -2 / mass * before;
+  double now = RowOfTwo::shift_of(simulation->packing());
+  double acceleration = -2 / RowOfTwo::reduced_mass() * before;
   for (int step = 1; step < 2000; ++step) {
     const double v = (now - before) / dt + (TypeParam::synchronized ? acceleration * dt / 2 : 0);
-    acceleration = -2 / mass * now - g * v;
+    acceleration = -2 / RowOfTwo::reduced_mass() * now - g * v;
     const double next = 2 * now - before + dt * dt * acceleration;
     simulation->advance(1);
     before = now;
-    now = shift_of(simulation->packing());
+    now = RowOfTwo::shift_of(simulation->packing());
     ASSERT_NEAR(now, next, 1e-12 * amplitude) << step;
   }
   EXPECT_EQ(simulation->packing().contacts.size(), 2u);
@@ -59,17 +43,16 @@ TYPED_TEST(EnduringContact, ThroughBothImagesFollowsItsRecurrence) {
 TYPED_TEST(EnduringContact, DampedOscillationConvergesToTheClosedForm) {
   const double amplitude = 1e-2;
   const double gamma = HookeConstants{}.normal_damping;
-  const double w = std::sqrt(2 / mass - gamma * gamma);
   const double time = 256 * paper_step;
   const auto error = [&](int divisions) {
     const double dt = paper_step / divisions;
-    const auto simulation = make_simulation(model_of<TypeParam>({}, dt), row_of_two(amplitude, {}));
+    const auto simulation = make_simulation(model_of<TypeParam>({}, dt), RowOfTwo::start(amplitude, {}));
     double worst = 0;
     for (int n = 1; n <= 16; ++n) {
       const double t = time * n / 16;
       simulation->advance(16 * divisions);
-      const double exact = std::exp(-gamma * t) * (std::cos(w * t) + gamma / w * std::sin(w * t));
-      worst = std::max(worst, std::abs(shift_of(simulation->packing()) / amplitude - exact));
+      const double exact = RowOfTwo::shift_at(t, gamma);
+      worst = std::max(worst, std::abs(RowOfTwo::shift_of(simulation->packing()) / amplitude - exact));
     }
     return worst;
   };
@@ -80,21 +63,22 @@ template <class Law>
 class Gear : public testing::Test {};
 TYPED_TEST_SUITE(Gear, EveryFrictionLaw, LawName);
 
-constexpr double friction = 0.3;
+constexpr double gear_friction = 0.3;
 constexpr double first_spin = 0.5;
 
 template <class Law>
 double lever_arm() {
-  return Law::synchronized ? radius - squeeze / 2 : radius;
+  return Law::synchronized ? RowOfTwo::radius - RowOfTwo::squeeze / 2 : RowOfTwo::radius;
 }
 
 // T10: while both contacts slide d omega/dt = -2 mu F_n a/I for both spheres, so B turns against A; the net
 // force is 0.
 TYPED_TEST(Gear, SlidingTurnsBothSpheresAlike) {
-  const double slowing = 2 * friction * squeeze * lever_arm<TypeParam>() / inertia_of(radius);
+  const double slowing =
+      2 * gear_friction * RowOfTwo::squeeze * lever_arm<TypeParam>() / inertia_of(RowOfTwo::radius);
   const double sticks_at = first_spin / (2 * slowing);
-  const auto simulation =
-      make_simulation(model_of<TypeParam>({.friction = friction}), row_of_two(0, {0, 0, first_spin}));
+  const auto simulation = make_simulation(model_of<TypeParam>({.friction = gear_friction}),
+                                          RowOfTwo::start(0, {0, 0, first_spin}));
   simulation->advance(1);
   Packing before = simulation->packing();
   ASSERT_GT(sticks_at, 40 * paper_step);
@@ -111,20 +95,21 @@ TYPED_TEST(Gear, SlidingTurnsBothSpheresAlike) {
 
 // T10: the two contacts are one pair with two histories, which are opposite.
 TYPED_TEST(Gear, EachContactHasItsOwnHistory) {
-  const Packing p = after(model_of<TypeParam>({.tangential_damping = 0, .friction = friction}),
-                          row_of_two(0, {0, 0, first_spin}), 20);
+  const Packing p = after(model_of<TypeParam>({.tangential_damping = 0, .friction = gear_friction}),
+                          RowOfTwo::start(0, {0, 0, first_spin}), 20);
   ASSERT_EQ(p.contacts.size(), 2u);
   EXPECT_NE(p.contacts[0].image, p.contacts[1].image);
-  EXPECT_NEAR(norm(p.contacts[0].history), friction * squeeze, 1e-15);
+  EXPECT_NEAR(norm(p.contacts[0].history), gear_friction * RowOfTwo::squeeze, 1e-15);
   EXPECT_LT(norm(p.contacts[0].history + p.contacts[1].history), 1e-15);
 }
 
 // T10: slip ends at t_s = omega_0 I/(4 mu F_n a).
 TYPED_TEST(Gear, SticksOnTime) {
-  const double slowing = 2 * friction * squeeze * lever_arm<TypeParam>() / inertia_of(radius);
+  const double slowing =
+      2 * gear_friction * RowOfTwo::squeeze * lever_arm<TypeParam>() / inertia_of(RowOfTwo::radius);
   const auto simulation =
-      make_simulation(model_of<TypeParam>({.tangential_damping = 0, .friction = friction}),
-                      row_of_two(0, {0, 0, first_spin}));
+      make_simulation(model_of<TypeParam>({.tangential_damping = 0, .friction = gear_friction}),
+                      RowOfTwo::start(0, {0, 0, first_spin}));
   const auto slip = [&] { return simulation->packing().spin[0].z + simulation->packing().spin[1].z; };
   simulation->advance(1);
   // Friction needs a slip behind it: it starts at the end of the first step, for the half step before.
@@ -142,7 +127,7 @@ TYPED_TEST(Gear, SticksOnTime) {
 // T10: then the gear runs on: omega_A = omega_0/2 = -omega_B, without force.
 TYPED_TEST(Gear, KeepsHalfTheSpin) {
   const Packing p =
-      after(model_of<TypeParam>({.friction = friction}), row_of_two(0, {0, 0, first_spin}), 2000);
+      after(model_of<TypeParam>({.friction = gear_friction}), RowOfTwo::start(0, {0, 0, first_spin}), 2000);
   EXPECT_NEAR(p.spin[0].z, first_spin / 2, 1e-3 * first_spin);
   EXPECT_NEAR(p.spin[1].z, -first_spin / 2, 1e-3 * first_spin);
   EXPECT_LT(norm(p.force[0]) + norm(p.force[1]), 1e-15);

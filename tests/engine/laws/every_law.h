@@ -35,6 +35,9 @@ struct laws_of<std::variant<Laws...>> {
 using EveryLaw = detail::laws_of<AnyLaw>::every;
 using EveryFrictionLaw = detail::laws_of<AnyLaw>::with_friction;
 
+/// A friction that no contact reaches.
+constexpr double no_sliding = 1e30;
+
 struct LawName {
   template <class Law>
   static std::string GetName(int) {

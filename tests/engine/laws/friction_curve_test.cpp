@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/engine/closed_form.h"
-#include "tests/engine/laws/collision.h"
+#include "engine/trials/closed_form.h"
+#include "engine/trials/collision.h"
 #include "tests/engine/laws/every_law.h"
 
 namespace furnas {

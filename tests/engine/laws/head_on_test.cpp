@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/engine/closed_form.h"
-#include "tests/engine/laws/collision.h"
+#include "engine/trials/closed_form.h"
+#include "engine/trials/collision.h"
 #include "tests/engine/laws/every_law.h"
 
 namespace furnas {
@@ -25,7 +25,7 @@ struct Spread {
 };
 
 template <class Law>
-double restitution(const HookeConstants& constants, const Sizes& sizes, const Phase& phase) {
+double restitution(const HookeConstants& constants, const Sizes& sizes, const EntryPhase& phase) {
   const Bounce b = bounce(model_of<Law>(constants, phase.time_step),
                           {.velocity = {-speed, 0, 0}, .radius = sizes.i}, {.radius = sizes.j}, phase.entry);
   return b.approach.x / speed;
@@ -35,7 +35,7 @@ template <class Law>
 Spread restitution_error(const HookeConstants& constants, const Sizes& sizes, double duration, double step,
                          double expected) {
   Spread spread;
-  for (const Phase& phase : phases_of_a_collision(duration, step)) {
+  for (const EntryPhase& phase : phases_of_a_collision(duration, step)) {
     const double error = restitution<Law>(constants, sizes, phase) - expected;
     spread.mean += error / phase_count;
     spread.rms += error * error / phase_count;

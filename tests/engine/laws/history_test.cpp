@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/trials/driven.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/support/driven.h"
 #include "tests/engine/support/setups.h"
 
 namespace furnas {
@@ -19,7 +19,6 @@ template <class Law>
 class History : public testing::Test {};
 TYPED_TEST_SUITE(History, EveryFrictionLaw, LawName);
 
-constexpr double no_sliding = 1e30;
 constexpr double time_step = 0.01;
 
 /// Two small spheres at rest that overlap along x.
@@ -109,7 +108,7 @@ TYPED_TEST(History, TurnsWithACirclingPair) {
   start.velocity = {{0, -speed, 0}, {0, speed, 0}};
   const double pull = start.mass[0] * 2 * (1 - std::cos(angle)) / (time_step * time_step);
   const V middle{8, 8, 8};
-  test::Driven<TypeParam> run(
+  Driven<TypeParam> run(
       model_of<TypeParam>({.normal_damping = 0, .tangential_damping = 0, .friction = no_sliding}, time_step),
       start, [&](std::size_t, const V& position, double) { return pull * (middle - position); });
   run.advance(steps);

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/engine/closed_form.h"
-#include "tests/engine/laws/collision.h"
+#include "engine/trials/closed_form.h"
+#include "engine/trials/collision.h"
 #include "tests/engine/laws/every_law.h"
 
 namespace furnas {
 namespace {
-
-constexpr double no_sliding = 1e30;
 
 template <class Law>
 class ObliqueCollision : public testing::Test {};

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/trials/driven.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/support/driven.h"
 #include "tests/engine/support/setups.h"
 
 namespace furnas {
@@ -12,9 +12,8 @@ namespace {
 
 using V = Vec3<double>;
 
-constexpr double radius = 0.5;
-constexpr double overlap = 0.01;
-constexpr double no_sliding = 1e30;
+constexpr double ball_radius = 0.5;
+constexpr double squeeze = 0.01;
 
 /// Two equal spheres that circle each other, drawn to their middle by springs; one of them spins twice as
 /// fast as the pair turns, the other not at all, so that it rolls on it.
@@ -28,15 +27,15 @@ class Orbit {
              }),
         pull_(pull(rate)) {}
 
-  test::Driven<Law>& run() { return run_; }
+  Driven<Law>& run() { return run_; }
 
   double energy() const {
     double sum = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& p = run_.particle(k);
       const V out = run_.position(k) - middle;
-      sum += 0.5 * (mass_of(radius) * dot(p.velocity, p.velocity) + inertia_of(radius) * dot(p.spin, p.spin) +
-                    pull_ * dot(out, out));
+      sum += 0.5 * (mass_of(ball_radius) * dot(p.velocity, p.velocity) +
+                    inertia_of(ball_radius) * dot(p.spin, p.spin) + pull_ * dot(out, out));
     }
     return sum;
   }
@@ -45,12 +44,13 @@ class Orbit {
     double sum = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& p = run_.particle(k);
-      sum += mass_of(radius) * cross(run_.position(k) - middle, p.velocity).z + inertia_of(radius) * p.spin.z;
+      sum += mass_of(ball_radius) * cross(run_.position(k) - middle, p.velocity).z +
+             inertia_of(ball_radius) * p.spin.z;
     }
     return sum;
   }
 
-  static constexpr double distance = 2 * radius - overlap;
+  static constexpr double distance = 2 * ball_radius - squeeze;
 
  private:
   static constexpr double side = 16;
@@ -64,9 +64,9 @@ class Orbit {
   }
 
   /// Stiffness of the springs that keeps the pair on its circle.
-  static double pull(double rate) { return overlap / (distance / 2) + mass_of(radius) * rate * rate; }
+  static double pull(double rate) { return squeeze / (distance / 2) + mass_of(ball_radius) * rate * rate; }
 
-  test::Driven<Law> run_;
+  Driven<Law> run_;
   double pull_;
 };
 
@@ -90,7 +90,7 @@ void expect_steady_rolling(int turns) {
   const double energy = orbit.energy();
   const double momentum = orbit.angular_momentum();
   const double held = Law::synchronized
-                          ? reduced_mass_of(radius, radius) * HookeConstants{}.tangential_damping *
+                          ? reduced_mass_of(ball_radius, ball_radius) * HookeConstants{}.tangential_damping *
                                 orbit.distance * std::pow(rate, 3) * std::pow(paper_step, 2) / 4
                           : 0;
   EXPECT_LT(held, 1e-10);
@@ -118,15 +118,15 @@ class Cradle {
              start(angle), [](std::size_t k, const V& position, double) {
                return k == 1 ? stiffness * (anchor - position) : V{};
              }) {}
-  test::Driven<Law>& run() { return run_; }
+  Driven<Law>& run() { return run_; }
   double energy() const {
     const auto& p = run_.particle(1);
     const V stretch = run_.position(1) - anchor;
     const V branch = run_.position(1) - centre;
-    const double depth = 2 * radius - norm(branch);
+    const double depth = 2 * ball_radius - norm(branch);
     const V xi = run_.history(1, 0);
-    return 0.5 * mass_of(radius) * dot(p.velocity, p.velocity) +
-           0.5 * inertia_of(radius) * dot(p.spin, p.spin) + 0.5 * stiffness * dot(stretch, stretch) +
+    return 0.5 * mass_of(ball_radius) * dot(p.velocity, p.velocity) +
+           0.5 * inertia_of(ball_radius) * dot(p.spin, p.spin) + 0.5 * stiffness * dot(stretch, stretch) +
            0.5 * depth * depth + 0.5 * dot(xi, xi);
   }
   double angle() const {
@@ -138,19 +138,20 @@ class Cradle {
   static constexpr double side = 16;
   static constexpr double stiffness = 0.02;
   static constexpr V centre{side / 2, side / 2, side / 2};
-  static constexpr V anchor{side / 2, side / 2, side / 2 + radius};
+  static constexpr V anchor{side / 2, side / 2, side / 2 + ball_radius};
 
   static Packing start(double angle) {
     // The depth at which the contact carries the spring.
-    double distance = 2 * radius;
-    for (int n = 0; n < 50; ++n) distance = 2 * radius - stiffness * (distance - radius * std::cos(angle));
+    double distance = 2 * ball_radius;
+    for (int n = 0; n < 50; ++n)
+      distance = 2 * ball_radius - stiffness * (distance - ball_radius * std::cos(angle));
     Packing p = packing_of(
         cube(side),
         {{.position = centre}, {.position = centre + distance * V{std::sin(angle), 0, std::cos(angle)}}});
     p.mass[0] = 1e30;
     return p;
   }
-  test::Driven<Law> run_;
+  Driven<Law> run_;
 };
 
 /// Energy that a cradle has gained after so many swings, per its energy at the start: mean of the last

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "engine/base/require.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {

@@ -6,19 +6,20 @@
 
 #include "engine/base/parallel.h"
 #include "engine/start/mixture.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/same_packing.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
 
-const AnyLaw law = Frictionless<false>{};
+const AnyLaw frictionless = Frictionless<false>{};
 constexpr std::int64_t plenty = 20'000;
 
 /// The packing at its minimum.
 Packing at_rest(Packing p, const Barostat& bath, const MinimumCriteria& criteria = {}) {
-  Enthalpy h(p, law, bath);
+  Enthalpy h(p, frictionless, bath);
   const MinimumReport report = find_minimum(h, plenty, criteria);
   EXPECT_TRUE(report.reached);
   EXPECT_LT(report.evaluations, plenty);
@@ -107,7 +108,7 @@ TEST(FindMinimum, HasTheSameBitsForAnyThreads) {
     Packing p = heap();
     MinimumReport report;
     Workers(threads).run([&] {
-      Enthalpy h(p, law, {.pressure = 1e-2});
+      Enthalpy h(p, frictionless, {.pressure = 1e-2});
       report = find_minimum(h, 300);
       h.put_into(p);
     });

@@ -9,7 +9,7 @@
 namespace furnas {
 namespace {
 
-Shift random_shift(std::size_t particles, std::uint64_t seed) {
+Shift shift_of_seed(std::size_t particles, std::uint64_t seed) {
   test::Dice dice(seed);
   Shift shift(particles);
   for (Vec3<double>& u : shift.displacement) u = dice.vector(1);
@@ -36,7 +36,7 @@ TEST(Shift, CountsStrainAndDisplacements) {
 }
 
 TEST(Shift, SumsHaveTheSameBitsForAnyThreads) {
-  const Shift a = random_shift(5000, 1), b = random_shift(5000, 2);
+  const Shift a = shift_of_seed(5000, 1), b = shift_of_seed(5000, 2);
   double one = 0;
   Workers(1).run([&] { one = dot(a, b); });
   for (int threads : {2, 3})

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/engine/closed_form.h"
+#include "engine/trials/closed_form.h"
 #include "tests/engine/support/setups.h"
 
 namespace furnas {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 
 namespace furnas {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/engine/laws/every_law.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
@@ -75,28 +76,6 @@ TYPED_TEST(Crystal, BulkModulus) {
               2 * std::sqrt(2) / 3 * (k / r + 2 * k * delta / (r * r)), 1e-10);
 }
 
-/// Change of the stress per strain after a small steady deformation of a crystal whose contacts never slide;
-/// its particles turn with the mean rotation, as symmetry asks.
-template <class Law>
-Eigen::Matrix3d stiffness(const Packing& crystal, double tangential_stiffness, const Triangle& strain) {
-  Model model = model_of<Law>({.tangential_stiffness = tangential_stiffness,
-                               .normal_damping = 0,
-                               .tangential_damping = 0,
-                               .friction = 1e30});
-  model.barostat = {.freedom = CellFreedom::triclinic, .pressure = 0, .inertia = 1e300};
-  model.affine_velocity = true;
-  constexpr int steps = 100;
-  constexpr double size = 1e-7;
-  const double rate = size / (steps * model.time_step);
-  Packing p = with_forces(model, crystal);
-  const Eigen::Matrix3d before = p.stress.contacts / p.cell.volume();
-  p.cell.rate = {rate * strain.xx, rate * strain.yy, rate * strain.zz,
-                 rate * strain.yz, rate * strain.xz, rate * strain.xy};
-  for (auto& spin : p.spin) spin = (rate / 2) * Vec3<double>{-strain.yz, strain.xz, -strain.xy};
-  p = after(model, p, steps);
-  return (p.stress.contacts / p.cell.volume() - before) / size;
-}
-
 template <class Law>
 class Elasticity : public testing::Test {};
 TYPED_TEST_SUITE(Elasticity, EveryFrictionLaw, LawName);
@@ -110,9 +89,11 @@ TYPED_TEST(Elasticity, OfFaceCentredCubicReachesTheTangentialSprings) {
       const Packing crystal = face_centred(r, cells);
       const double c11 = std::sqrt(2) * (1 + kt) / r;
       const double c12 = std::sqrt(2) * (1 - kt) / (2 * r);
-      const double c44 = std::sqrt(2) * (1 + kt) / (2 * r);
+      const double c44 = shear_modulus_of_face_centred(r, kt);
+      const Model sticking = model_of<TypeParam>(
+          {.tangential_stiffness = kt, .normal_damping = 0, .tangential_damping = 0, .friction = no_sliding});
       // Pressure counts positive, so stresses fall as strains grow.
-      const Eigen::Matrix3d stretched = -stiffness<TypeParam>(crystal, kt, {1, 0, 0, 0, 0, 0});
+      const Eigen::Matrix3d stretched = -stress_per_strain(sticking, crystal, {1, 0, 0, 0, 0, 0});
       EXPECT_NEAR(stretched(0, 0) / c11, 1, 1e-3);
       EXPECT_NEAR(stretched(1, 1), c12, 1e-3);
       EXPECT_NEAR(stretched(2, 2), c12, 1e-3);
@@ -120,7 +101,7 @@ TYPED_TEST(Elasticity, OfFaceCentredCubicReachesTheTangentialSprings) {
       const int row[] = {1, 0, 0};
       const int column[] = {2, 2, 1};
       for (int n = 0; n < 3; ++n) {
-        const Eigen::Matrix3d sheared = -stiffness<TypeParam>(crystal, kt, shears[n]);
+        const Eigen::Matrix3d sheared = -stress_per_strain(sticking, crystal, shears[n]);
         EXPECT_NEAR(sheared(row[n], column[n]) / c44, 1, 1e-3);
         EXPECT_NEAR(sheared(column[n], row[n]) / c44, 1, 1e-3);
       }

@@ -4,27 +4,18 @@
 #include <vector>
 
 #include "engine/start/mixture.h"
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/dice.h"
+#include "tests/engine/support/setups.h"
 
 namespace furnas {
 namespace {
 
-/// Without damping and friction the equations of the packing under a bath of pressure p_a keep
-///
-///   H' = K + U + p_a V + (W/2) sum(e_ab^2, a <= b),   K = sum(m v^2)/2,  U = sum(overlap^2)/2.
-///
-/// With h' = e h a branch r changes at the rate v_i - v_j + e r, so
-///   U' = - sum(F . v) - sum(e_ab V P^c_ba),           V P^c_ab = sum(r_a F_b) over contacts,
-///   K' = sum(F . v) - sum(e_ab V P^k_ab) - tr(e) 2 K/(3 N),
-///   (W/2) (sum e_ab^2)' = sum(e_ab V P_ba) - p_a V tr(e) + tr(e) 2 K/(3 N),
-/// and V' = V tr(e): all terms cancel. The bath is isotropic, so there is no work of a deviatoric stress.
-double enthalpy(const Packing& p, const Barostat& bath) {
-  const Triangle& e = p.cell.rate;
-  return kinetic_energy(p) + elastic_energy(p) + bath.pressure * p.cell.volume() +
-         0.5 * bath.inertia *
-             (e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + e.yz * e.yz + e.xz * e.xz + e.xy * e.xy);
-}
+// Why kept_enthalpy H' is kept: with h' = e h a branch r changes at the rate v_i - v_j + e r, so
+//   U' = - sum(F . v) - sum(e_ab V P^c_ba),           V P^c_ab = sum(r_a F_b) over contacts,
+//   K' = sum(F . v) - sum(e_ab V P^k_ab) - tr(e) 2 K/(3 N),
+//   (W/2) (sum e_ab^2)' = sum(e_ab V P_ba) - p_a V tr(e) + tr(e) 2 K/(3 N),
+// and V' = V tr(e): all terms cancel. The bath is isotropic, so there is no work of a deviatoric stress.
 
 Model undamped(const Packing& p, double pressure, double time_step = paper_step) {
   Model model = model_of<Frictionless<false>>({.normal_damping = 0}, time_step);
@@ -62,12 +53,12 @@ Packing gas(std::uint64_t seed) {
 std::vector<double> wander(const Packing& start, double pressure, double time_step, double time) {
   const Model model = undamped(start, pressure, time_step);
   const auto simulation = make_simulation(model, start);
-  const double first = enthalpy(simulation->packing(), model.barostat);
+  const double first = kept_enthalpy(simulation->packing(), model.barostat);
   const auto every = static_cast<std::int64_t>(std::lround(1 / time_step));
   std::vector<double> values;
   for (double t = 0; t < time; t += static_cast<double>(every) * time_step) {
     simulation->advance(every);
-    values.push_back(enthalpy(simulation->packing(), model.barostat) - first);
+    values.push_back(kept_enthalpy(simulation->packing(), model.barostat) - first);
   }
   return values;
 }

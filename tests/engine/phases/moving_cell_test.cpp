@@ -127,21 +127,21 @@ TYPED_TEST(MovingCell, CarriesSpheresAtRest) {
   }
 }
 
-using Motion = Eigen::Matrix<double, 6, 1>;  // position, then velocity
+using Orbit = Eigen::Matrix<double, 6, 1>;  // position, then velocity
 
 /// x' = v + e x, v' = -(e + tr(e)/(3 N)) v after a time, by the series of the exponential: 80 terms of a
 /// number below 10.
-Motion free_motion(const Vec3<double>& x, const Vec3<double>& v, const Triangle& e, int particles,
-                   double time) {
+Orbit free_motion(const Vec3<double>& x, const Vec3<double>& v, const Triangle& e, int particles,
+                  double time) {
   Eigen::Matrix3d shear;
   shear << e.xx, e.xy, e.xz, 0, e.yy, e.yz, 0, 0, e.zz;
   Eigen::Matrix<double, 6, 6> slope = Eigen::Matrix<double, 6, 6>::Zero();
   slope.topLeftCorner<3, 3>() = shear;
   slope.topRightCorner<3, 3>().setIdentity();
   slope.bottomRightCorner<3, 3>() = -shear - e.trace() / (3 * particles) * Eigen::Matrix3d::Identity();
-  Motion term;
+  Orbit term;
   term << x.x, x.y, x.z, v.x, v.y, v.z;
-  Motion sum = term;
+  Orbit sum = term;
   for (int n = 1; n <= 80; ++n) {
     term = (time / n) * (slope * term).eval();
     sum += term;
@@ -160,11 +160,11 @@ TEST(MovingCell, FreeFlightIsOfSecondOrder) {
   start.cell.rate = strong;
   constexpr int steps = 128;
   constexpr double long_step = 1.0 / 64;
-  const Motion exact = free_motion(x, v, strong, 2, steps * long_step);
+  const Orbit exact = free_motion(x, v, strong, 2, steps * long_step);
   const auto error = [&](int divisions) {
     const Packing p = after(driven<Frictionless<false>>({}, long_step / divisions), start, steps * divisions);
     const Vec3<double> now = p.unwrapped(0);
-    Motion is;
+    Orbit is;
     is << now.x, now.y, now.z, p.velocity[0].x, p.velocity[0].y, p.velocity[0].z;
     return std::pair{(is - exact).head<3>().norm(), (is - exact).tail<3>().norm()};
   };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/phases/crystal.h"
+#include "engine/trials/crystal.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/hot_gas.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "engine/trials/driven.h"
 #include "tests/engine/laws/every_law.h"
-#include "tests/engine/support/driven.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 #include "tests/engine/support/setups.h"
@@ -48,8 +48,8 @@ TYPED_TEST(Sleep, ChangesNoBit) {
     model.time_step = 0.1;
     const Packing start = shooting_gallery(dice);
     const auto nothing = [](std::size_t, const Vec3<double>&, double) { return Vec3<double>{}; };
-    test::Driven<TypeParam> engine(model, start, {});
-    test::Driven<TypeParam> awake(model, start, nothing);
+    Driven<TypeParam> engine(model, start, {});
+    Driven<TypeParam> awake(model, start, nothing);
     std::ptrdiff_t asleep = 0;
     for (int step = 0; step < 60; ++step) {
       engine.advance(1);

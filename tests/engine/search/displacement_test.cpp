@@ -6,8 +6,8 @@
 
 #include "engine/phases/barostat.h"
 #include "engine/phases/renew_list.h"
+#include "engine/trials/listed.h"
 #include "tests/engine/support/brute_force.h"
-#include "tests/engine/support/listed.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 
@@ -107,7 +107,7 @@ Approach approach(Dice& dice, double share) {
     return Fraction{s.x + d.x, s.y + d.y, s.z + d.z};
   };
   p.fraction[1] = shifted(p.fraction[0], to_fraction_then * (reach * (1 + 1e-7) * direction));
-  a.list = test::listed(p, skin);
+  a.list = listed(p, skin);
 
   a.now = p;
   a.now.cell.edges = product(f, p.cell.edges);
@@ -156,7 +156,7 @@ TEST(ListIsComplete, NeverWhileAnyPairTouchesUnlisted) {
     wanted.spread = dice.chance(0.5) ? 0 : 0.6;
     const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
     const Skin skin{dice.between(0, 0.3), dice.between(0, 0.1)};
-    const PairList list = test::listed(then, skin);
+    const PairList list = listed(then, skin);
     Packing now = then;
     now.cell.edges = product(deformation(dice, dice.between(0, 0.1)), then.cell.edges);
     const double size = std::pow(10.0, dice.between(-3, -0.5));
@@ -179,7 +179,7 @@ TEST(AddDisplacement, SuspectsEveryListThatIsWorn) {
     wanted.small = 3;
     wanted.cell = 12;
     Packing p = test::in_memory_order(test::random_packing(dice, wanted));
-    const PairList list = test::listed(p, {dice.between(0, 1.5), dice.between(0, 0.1)});
+    const PairList list = listed(p, {dice.between(0, 1.5), dice.between(0, 0.1)});
     // A cell that stretches along the way the particles went carries them further than they went.
     const double a = dice.between(0, 0.3);
     const Triangle carried = dice.chance(0.5) ? Triangle{1 + a, 1 - a, 1} : deformation(dice, 0.3);

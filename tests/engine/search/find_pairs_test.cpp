@@ -4,8 +4,8 @@
 
 #include "engine/base/require.h"
 #include "engine/search/merge.h"
+#include "engine/trials/listed.h"
 #include "tests/engine/support/brute_force.h"
-#include "tests/engine/support/listed.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 
@@ -49,7 +49,7 @@ std::map<TouchName, std::uint64_t> rows_by_name(const Packing& p, const PairList
 TEST(FindPairs, ListsExactlyThePairsWithinTheSkin) {
   EXPECT_TRUE(test::holds(2000, [] {
     const auto [p, skin] = random_case();
-    const PairList list = test::listed(p, skin);
+    const PairList list = listed(p, skin);
     const auto rows = rows_by_name(p, list);
     double largest = 0;
     for (double r : p.radius) largest = std::max(largest, r);
@@ -69,7 +69,7 @@ TEST(FindPairs, ListsExactlyThePairsWithinTheSkin) {
 TEST(FindPairs, RowsAreInTheOrderOfMemory) {
   EXPECT_TRUE(test::holds(500, [] {
     const auto [p, skin] = random_case();
-    const PairList list = test::listed(p, skin);
+    const PairList list = listed(p, skin);
     RC_ASSERT(list.first.size() == p.size() + 1);
     RC_ASSERT(list.first.front() == 0u);
     RC_ASSERT(list.first.back() == list.rows());
@@ -88,7 +88,7 @@ TEST(FindPairs, RowsAreInTheOrderOfMemory) {
 TEST(FindPairs, IncomingRowsAreThoseOfThePartner) {
   EXPECT_TRUE(test::holds(500, [] {
     const auto [p, skin] = random_case();
-    const PairList list = test::listed(p, skin);
+    const PairList list = listed(p, skin);
     std::vector<std::vector<std::uint32_t>> expected(p.size());
     for (std::uint32_t k = 0; k < list.rows(); ++k) expected[list.partner[k]].push_back(k);
     for (std::size_t j = 0; j < p.size(); ++j) {
@@ -105,7 +105,7 @@ TEST(FindPairs, RowsFollowTheirImage) {
   EXPECT_TRUE(test::holds(500, [] {
     auto [p, skin] = random_case();
     Dice dice(test::any_seed());
-    const PairList list = test::listed(p, skin);
+    const PairList list = listed(p, skin);
     if (list.quarter.empty()) return;
     for (std::uint32_t i = 0; i < p.size(); ++i)
       for (std::uint64_t k = list.first[i]; k < list.first[i + 1]; ++k) {
@@ -135,7 +135,7 @@ TEST(FindPairs, LosesNoTouchAtTheEdgeOfABin) {
           p.fraction[0].x = to_fixed(static_cast<double>(bin) / bins) + static_cast<std::uint64_t>(shift);
           p.fraction[1].x = p.fraction[0].x - width + overlap;
           if (norm(p.cell.edges * nearest_difference(p.fraction[0], p.fraction[1])) >= 1) continue;
-          EXPECT_EQ(test::listed(p, {0, 0}).rows(), 1u)
+          EXPECT_EQ(listed(p, {0, 0}).rows(), 1u)
               << bins << " bins, edge " << bin << ", shift " << shift << ", overlap " << overlap;
         }
   }
@@ -146,7 +146,7 @@ TEST(FindPairs, RefusesASphereThatReachesAcrossTooManyCells) {
   p.resize(1);
   p.radius = {20};
   p.cell.edges = {1, 1, 1};
-  EXPECT_THROW(test::listed(p, {0, 0}), NumericalFailure);
+  EXPECT_THROW(listed(p, {0, 0}), NumericalFailure);
 }
 
 }  // namespace

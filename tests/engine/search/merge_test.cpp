@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/trials/listed.h"
 #include "tests/engine/support/brute_force.h"
-#include "tests/engine/support/listed.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 #include "tests/engine/support/same_packing.h"
@@ -36,7 +36,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
     wanted.small = *rc::gen::inRange<std::size_t>(1, 20);
     wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 4);
     const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
-    const PairList old = test::listed(then, {dice.between(0, 0.5), 0});
+    const PairList old = listed(then, {dice.between(0, 0.5), 0});
     ContactState<double> contact_state;
     contact_state.clear(old.rows(), old.first.size() - 1, true);
     for (std::size_t k = 0; k < old.rows(); ++k)
@@ -64,7 +64,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
         if (contact_state.touching[k] != 0) expected[name] = contact_state.springs[k].history;
       }
 
-    const PairList fresh = test::listed(now, {dice.between(0, 0.5), 0});
+    const PairList fresh = listed(now, {dice.between(0, 0.5), 0});
     merge_contact_state(old, contact_state, fresh, now.fraction, true);
     RC_ASSERT(contact_state.springs.size() == fresh.rows() && contact_state.touching.size() == fresh.rows());
     std::vector<std::uint32_t> contacts(now.size());
@@ -92,7 +92,7 @@ TEST(MergeMemory, IsEmptyWhenThereWasNoList) {
   p.radius = {0.5, 0.5};
   p.cell.edges = {5, 5, 5};
   p.fraction[1] = to_fraction({0.1, 0, 0});
-  const PairList fresh = test::listed(p, {0, 0});
+  const PairList fresh = listed(p, {0, 0});
   ContactState<double> contact_state;
   merge_contact_state({}, contact_state, fresh, p.fraction, true);
   ASSERT_EQ(contact_state.springs.size(), 1u);

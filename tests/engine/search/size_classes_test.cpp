@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/support/listed.h"
+#include "engine/trials/listed.h"
 #include "tests/engine/support/property.h"
 #include "tests/engine/support/random_packing.h"
 
