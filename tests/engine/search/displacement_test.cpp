@@ -154,7 +154,7 @@ TEST(ListIsComplete, NeverWhileAnyPairTouchesUnlisted) {
     wanted.small = *rc::gen::inRange<std::size_t>(1, 30);
     wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.7, 4);
     wanted.spread = dice.chance(0.5) ? 0 : 0.6;
-    const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
+    const Packing then = in_memory_order(test::random_packing(dice, wanted));
     const Skin skin{dice.between(0, 0.3), dice.between(0, 0.1)};
     const PairList list = listed(then, skin);
     Packing now = then;
@@ -178,7 +178,7 @@ TEST(AddDisplacement, SuspectsEveryListThatIsWorn) {
     wanted.large = 1;
     wanted.small = 3;
     wanted.cell = 12;
-    Packing p = test::in_memory_order(test::random_packing(dice, wanted));
+    Packing p = in_memory_order(test::random_packing(dice, wanted));
     const PairList list = listed(p, {dice.between(0, 1.5), dice.between(0, 0.1)});
     // A cell that stretches along the way the particles went carries them further than they went.
     const double a = dice.between(0, 0.3);

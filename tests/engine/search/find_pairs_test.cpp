@@ -28,7 +28,7 @@ Case random_case() {
   wanted.small = *rc::gen::inRange<std::size_t>(1, 60);
   wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 6);
   wanted.spread = dice.chance(0.5) ? 0 : 0.6;
-  return {test::in_memory_order(test::random_packing(dice, wanted)),
+  return {in_memory_order(test::random_packing(dice, wanted)),
           {dice.chance(0.2) ? 0 : dice.between(0, 0.6), dice.chance(0.5) ? 0 : dice.between(0, 0.2)}};
 }
 

@@ -35,7 +35,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
     wanted.large = *rc::gen::inRange<std::size_t>(0, 3);
     wanted.small = *rc::gen::inRange<std::size_t>(1, 20);
     wanted.cell = (wanted.large > 0 ? wanted.size_ratio : 1) * dice.between(0.5, 4);
-    const Packing then = test::in_memory_order(test::random_packing(dice, wanted));
+    const Packing then = in_memory_order(test::random_packing(dice, wanted));
     const PairList old = listed(then, {dice.between(0, 0.5), 0});
     ContactState<double> contact_state;
     contact_state.clear(old.rows(), old.first.size() - 1, true);

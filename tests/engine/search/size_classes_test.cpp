@@ -31,7 +31,7 @@ TEST(SizeClasses, CoverAllParticlesAndAreNarrow) {
       p.radius[k] = std::pow(10.0, dice.between(-1, 1));
       p.fraction[k] = {dice.word(), dice.word(), dice.word()};
     }
-    const Packing sorted = test::in_memory_order(p);
+    const Packing sorted = in_memory_order(p);
     const auto classes = size_classes(sorted.radius);
     RC_ASSERT(classes.front().first == 0u);
     RC_ASSERT(classes.back().last == p.size());
