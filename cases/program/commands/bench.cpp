@@ -154,6 +154,19 @@ void declare_panels(CommandLine& bench, BenchOptions& o) {
 }
 
 ExitCode speed(BenchOptions& o, Console console) {
+  for (const std::string& precision : o.precision)
+    for (const int threads : o.threads) o.measure.variants.push_back({precision, threads});
+  std::vector<SpeedRow> rows;
+  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
+    for (const double friction : o.friction) {
+      o.measure.friction = friction;
+      for (SpeedRow& row : measure_speed(name, packing, o.measure)) {
+        console.err << fmt::format("{}, {} particles, {}, {} thread(s): {}\n", name, row.particles,
+                                   row.variant.precision, row.variant.threads, text_of(row.rate));
+        rows.push_back(std::move(row));
+      }
+    }
+  });
   std::map<int, double> bandwidth;
   const std::size_t bytes =
       o.triad_megabytes > 0 ? static_cast<std::size_t>(o.triad_megabytes * 1e6) : triad_size();
@@ -162,21 +175,8 @@ ExitCode speed(BenchOptions& o, Console console) {
     console.out << fmt::format("triad {:.1f} GB/s with {} thread(s), arrays of {} MB\n",
                                bandwidth[threads] / 1e9, threads, bytes / 1'000'000);
   }
-  for (const std::string& precision : o.precision)
-    for (const int threads : o.threads) o.measure.variants.push_back({precision, threads});
-  std::vector<SpeedRow> rows;
   std::vector<double> bounds;
-  for_each_packing(o.packings, console, [&](const std::string& name, const Packing& packing) {
-    for (const double friction : o.friction) {
-      o.measure.friction = friction;
-      for (SpeedRow& row : measure_speed(name, packing, o.measure)) {
-        console.err << fmt::format("{}, {} particles, {}, {} thread(s): {}\n", name, row.particles,
-                                   row.variant.precision, row.variant.threads, text_of(row.rate));
-        bounds.push_back(bandwidth[row.variant.threads]);
-        rows.push_back(std::move(row));
-      }
-    }
-  });
+  for (const SpeedRow& row : rows) bounds.push_back(bandwidth[row.variant.threads]);
   console.out << speed_table(rows, bounds).aligned() << '\n' << phase_lines(rows);
   if (!o.csv.empty()) write_file(o.csv, speed_csv(rows, bounds).csv());
   return ExitCode::done;

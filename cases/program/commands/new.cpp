@@ -74,8 +74,8 @@ void write_new(const std::string& file, std::string_view text) {
 }
 
 ExitCode run(const NewOptions& options, Console console) {
-  const auto* const name =
-      std::find_if(templates.begin(), templates.end(), [&](const Name& known) { return known.name == options.name; });
+  const auto* const name = std::find_if(templates.begin(), templates.end(),
+                                        [&](const Name& known) { return known.name == options.name; });
   if (name == templates.end())
     throw InputError(fmt::format("TEMPLATE = {} is unknown; allowed: {}", options.name, known_names()));
   const std::string file = options.file.empty() ? options.name + ".toml" : options.file;

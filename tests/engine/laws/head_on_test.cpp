@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation.h"
 #include "engine/trials/closed_form.h"
 #include "engine/trials/collision.h"
 #include "tests/engine/laws/every_law.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation.h"
 #include "engine/trials/crystal.h"
 
 namespace furnas {
