@@ -45,6 +45,7 @@ class CurvesChart {
                       thin_, points_, least_thickness));
     }
     if (chart_.series.size() == 1) chart_.series.front().name.clear();
+    explain_bars(chart_);
     return std::move(chart_);
   }
 

@@ -277,8 +277,19 @@ std::vector<Figure> figures_of(const Study& study) {
   add_maxima(study, figures);
   add_rattlers(study, figures);
   add_parts(study, figures);
-  for (Figure& figure : figures) explain_open(figure.chart);
+  for (Figure& figure : figures) {
+    explain_open(figure.chart);
+    explain_bars(figure.chart);
+  }
   return figures;
+}
+
+void explain_bars(Chart& chart) {
+  for (const Series& s : chart.series)
+    if (std::any_of(s.bars.begin(), s.bars.end(), [](const Bar& b) { return b.below > 0 || b.above > 0; })) {
+      chart.title += chart.title.empty() ? "bars: 95 %" : "; bars: 95 %";
+      return;
+    }
 }
 
 Series open_symbol() {

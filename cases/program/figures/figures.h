@@ -18,6 +18,9 @@ struct Figure {
 /// All figures that a study has data for.
 std::vector<Figure> figures_of(const Study& study);
 
+/// Adds to the title of a chart that its error bars are 95 % intervals, if it has any.
+void explain_bars(Chart& chart);
+
 /// A series without points, for the legend of a chart with open symbols.
 Series open_symbol();
 

@@ -132,7 +132,7 @@ TEST(Plots, RefuseToMixSamplesThatDifferInAnotherKey) {
   const Plot plot = plot_of({.sweeps = {soft, hard}});
   EXPECT_EQ(plot.name, "phi_J_against_small_fraction_by_pressure") << "by default nothing is mixed";
   const Plot chosen = plot_of({.sweeps = {soft, hard}, .by = {"friction"}, .where = {"pressure=1e-2"}});
-  EXPECT_EQ(chosen.chart.title, "α = 5, μ = 0.3, p_a = 0.01");
+  EXPECT_EQ(chosen.chart.title, "α = 5, μ = 0.3, p_a = 0.01; bars: 95 %");
 }
 
 TEST(Plots, RefuseToMixNumbersOfSpheres) {
