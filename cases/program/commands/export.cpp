@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <ostream>
+#include <string_view>
+#include <vector>
 
 #include "cases/program/commands/command.h"
 #include "cases/program/lammps_kit.h"
@@ -114,17 +117,21 @@ std::string write_kit(const ExportOptions& o) {
 }
 
 /// The formats of packings, and the other words for FORMAT.
-std::string names_of_all_formats() {
-  std::string all = names_of_written_formats() + ", " + contacts;
-  for (const SolidFormat& solid : solids) all += fmt::format(", {}", solid.name);
-  return all + ", " + kit;
+/// The names that the command knows.
+std::vector<std::string_view> known_formats() {
+  std::vector<std::string_view> all;
+  for (const Format& format : formats())
+    if (format.write) all.push_back(format.name);
+  all.push_back(contacts);
+  for (const SolidFormat& solid : solids) all.push_back(solid.name);
+  all.push_back(kit);
+  return all;
 }
 
 void require_known_format(const std::string& format) {
-  const std::string all = names_of_all_formats();
-  if (format.find_first_of(", ") == format.npos && (", " + all + ",").find(", " + format + ",") != all.npos)
-    return;
-  throw InputError(fmt::format("'{}' is no format to write; allowed are {}", format, all));
+  const auto all = known_formats();
+  if (std::find(all.begin(), all.end(), format) == all.end())
+    throw InputError(fmt::format("'{}' is no format to write; allowed are {}", format, fmt::join(all, ", ")));
 }
 
 void require_solid_options_fit(const ExportOptions& options) {
