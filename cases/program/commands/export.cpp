@@ -111,20 +111,19 @@ std::string write_kit(const ExportOptions& o) {
     throw InputError(o.source +
                      ": contains no case, from which law, time step and pressure would follow; allowed for "
                      "lammps: the folder of a run, or a packing in it");
-  const std::string folder = o.out.empty() ? kit : o.out;
+  std::string folder = o.out.empty() ? kit : o.out;
   write_lammps_kit(source.packing, *c, source.reached.size(), o.source, folder);
   return folder;
 }
 
-/// The formats of packings, and the other words for FORMAT.
-/// The names that the command knows.
+/// The names that the command knows: those of packings, and what else it writes.
 std::vector<std::string_view> known_formats() {
   std::vector<std::string_view> all;
   for (const Format& format : formats())
-    if (format.write) all.push_back(format.name);
-  all.push_back(contacts);
-  for (const SolidFormat& solid : solids) all.push_back(solid.name);
-  all.push_back(kit);
+    if (format.write) all.emplace_back(format.name);
+  all.emplace_back(contacts);
+  for (const SolidFormat& solid : solids) all.emplace_back(solid.name);
+  all.emplace_back(kit);
   return all;
 }
 

@@ -12,35 +12,34 @@ namespace furnas {
 
 namespace detail {
 template <class Law>
-using only_if_spins = std::conditional_t<Law::spins, std::tuple<Law>, std::tuple<>>;
+using OnlyIfSpins = std::conditional_t<Law::spins, std::tuple<Law>, std::tuple<>>;
 
 template <class Tuple>
-struct as_types;
+struct AsTypes;
 template <class... Laws>
-struct as_types<std::tuple<Laws...>> {
-  using type = testing::Types<Laws...>;
+struct AsTypes<std::tuple<Laws...>> {
+  using Type = testing::Types<Laws...>;
 };
 
 template <class Variant>
-struct laws_of;
+struct LawsOf;
 template <class... Laws>
-struct laws_of<std::variant<Laws...>> {
-  using every = testing::Types<Laws...>;
-  using with_friction =
-      typename as_types<decltype(std::tuple_cat(std::declval<only_if_spins<Laws>>()...))>::type;
+struct LawsOf<std::variant<Laws...>> {
+  using Every = testing::Types<Laws...>;
+  using WithFriction = typename AsTypes<decltype(std::tuple_cat(std::declval<OnlyIfSpins<Laws>>()...))>::Type;
 };
 }  // namespace detail
 
 /// All laws on the list, and those that know friction, for typed tests.
-using EveryLaw = detail::laws_of<AnyLaw>::every;
-using EveryFrictionLaw = detail::laws_of<AnyLaw>::with_friction;
+using EveryLaw = detail::LawsOf<AnyLaw>::Every;
+using EveryFrictionLaw = detail::LawsOf<AnyLaw>::WithFriction;
 
 /// A friction that no contact reaches.
 constexpr double no_sliding = 1e30;
 
 struct LawName {
   template <class Law>
-  static std::string GetName(int) {
+  static std::string GetName(int) {  // NOLINT(readability-identifier-naming): GoogleTest calls it
     return std::string(Law::name) + (Law::spins ? "" : "_frictionless");
   }
 };
