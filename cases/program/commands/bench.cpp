@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// BenchOptions of all subcommands, and the subcommands themselves.
+/// Options of all subcommands, and the subcommands themselves.
 struct BenchOptions {
   std::optional<CommandLine> speed;
   std::optional<CommandLine> error;

@@ -7,7 +7,7 @@
 namespace furnas::test {
 
 /// Chains and crystals of small spheres that overlap.
-constexpr double r = 0.98;      ///< of neighbours [d_s]
+constexpr double r = 0.98;      ///< distance of neighbours [d_s]
 constexpr double push = 1 - r;  ///< F_n between neighbours [k_n d_s]
 
 /// A straight chain of spheres along x that presses against its own image.
