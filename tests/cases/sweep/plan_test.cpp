@@ -1,5 +1,6 @@
 #include "cases/program/sweep/plan.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,6 +42,32 @@ class Plans : public testing::Test {
  private:
   TemporaryFolder folder_;
 };
+
+/// Medians of docs/results/performance.md, "Steps to a verdict", and of docs/results/study; an evaluation of
+/// the minimizer counts as one and a half steps.
+TEST_F(Plans, ForetellTheStepsOfASampleWithinAFactorOfThree) {
+  struct Measured {
+    const char *size_ratio, *small_fraction, *friction, *large;
+    double steps;
+  };
+  for (const Measured& m : {Measured{"1.0", "0.0", "0.3", "1000", 20'900},
+                            {"1.0", "0.0", "0.0", "1000", 62'500},
+                            {"2.0", "0.2", "0.3", "100", 30'000},
+                            {"5.0", "0.2", "0.3", "100", 89'700},
+                            {"5.0", "0.3", "0.3", "100", 320'000},
+                            {"5.0", "0.35", "0.3", "100", 517'000},
+                            {"5.0", "0.3", "0.0", "100", 172'000},
+                            {"10.0", "0.3", "0.3", "30", 201'000},
+                            {"20.0", "0.29", "0.3", "20", 312'000}}) {
+    const SweepFile file =
+        sweep(fmt::format("[mixture]\nsize_ratio = {}\nsmall_fraction = {}\nlarge = {}\n[contact]\nfriction "
+                          "= {}\n[sweep]\nsamples = 1\n",
+                          m.size_ratio, m.small_fraction, m.large, m.friction));
+    const double steps = samples_of(file, keys_of(file), "s").at(0).steps;
+    EXPECT_GT(steps, m.steps / 3) << m.size_ratio << ' ' << m.small_fraction << ' ' << m.friction;
+    EXPECT_LT(steps, m.steps * 3) << m.size_ratio << ' ' << m.small_fraction << ' ' << m.friction;
+  }
+}
 
 TEST_F(Plans, IsTheGridTimesTheSeeds) {
   const SweepFile file = sweep(mixture_sweep);
