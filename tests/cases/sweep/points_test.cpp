@@ -53,7 +53,8 @@ TEST(SampleTable, ReadsQuotedCells) {
 
 /// The tables in docs/results/study, byte for byte.
 TEST(SampleTable, ReadsAndWritesThoseOfTheStudy) {
-  for (const char* name : {"mono", "version_0.2.0/alpha_5", "version_0.2.0/alpha_20", "version_0.2.0/mono"}) {
+  for (const char* name : {"mono", "alpha_5", "alpha_20", "version_0.2.0/alpha_5", "version_0.2.0/alpha_20",
+                           "version_0.2.0/mono"}) {
     const std::filesystem::path folder =
         std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/results/study" / name;
     const SampleTable table = read_sample_table(folder);
