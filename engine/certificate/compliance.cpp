@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <vector>
 
 #include "engine/base/require.h"
 
@@ -29,26 +31,28 @@ MatrixXd without_translation(MatrixXd motion, Index per_particle) {
 }  // namespace
 
 /// L L^T by CHOLMOD, an order of magnitude faster than any L D L^T. If CHOLMOD meets a pivot that is not
-/// positive, a spring of 1 k_n, called a hold, is added to this unknown, and the factorization begins again.
-/// Let B B^T be the sum of the holds. Then the matrix A has as many negative eigenvalues as the small matrix
-/// 1 - B^T (A + B B^T)^-1 B (Haynsworth's inertia additivity), and Woodbury's identity gives the inverse of A
-/// from that of A + B B^T. If more than a few holds are needed, Eigen factors A as L D L^T.
+/// positive, springs of 1 k_n, called holds, are added to the unknowns of this particle, or of its neighbours
+/// if it has holds already, and the factorization begins again. Let B B^T be the sum of the holds. Then the
+/// matrix A has as many negative eigenvalues as the small matrix 1 - B^T (A + B B^T)^-1 B (Haynsworth's
+/// inertia additivity), and Woodbury's identity gives the inverse of A from that of A + B B^T. If this
+/// happens too often, Eigen factors A as L D L^T.
 class Compliance::Factor {
  public:
-  explicit Factor(Sparse matrix) {
+  /// The unknowns of the first particle lack those that are fixed.
+  Factor(const Sparse& matrix, Index per_particle)
+      : per_particle_(per_particle),
+        has_hold_(Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(matrix.rows(), false)) {
+    Sparse with_holds = matrix;
     definite_.cholmod().print = 0;
-    definite_.analyzePattern(matrix);
-    for (definite_.factorize(matrix); definite_.info() != Eigen::Success; definite_.factorize(matrix)) {
-      if (held_.size() == most_held) break;
-      held_.push_back(definite_.stopped_at());
-      matrix.coeffRef(held_.back(), held_.back()) += 1;
+    definite_.analyzePattern(with_holds);
+    for (int refused = 0; definite_.factorize(with_holds), definite_.info() != Eigen::Success; ++refused) {
+      if (refused == most_refused) {
+        indefinite_ = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
+        return;
+      }
+      hold(definite_.stopped_at(), with_holds);
     }
-    if (definite_.info() == Eigen::Success) {
-      take_back();
-      return;
-    }
-    for (const Index k : held_) matrix.coeffRef(k, k) -= 1;
-    indefinite_ = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
+    take_back();
   }
   bool valid() const {
     if (indefinite_) return indefinite_->info() == Eigen::Success && indefinite_->vectorD().allFinite();
@@ -67,7 +71,7 @@ class Compliance::Factor {
   }
 
  private:
-  static constexpr std::size_t most_held = 4;
+  static constexpr int most_refused = 40;
 
   /// A Cholesky factorization that also reports the column at which it stopped.
   struct Cholesky : Eigen::CholmodSupernodalLLT<Sparse> {
@@ -75,6 +79,25 @@ class Compliance::Factor {
       return static_cast<const int*>(m_cholmodFactor->Perm)[m_cholmodFactor->minor];
     }
   };
+
+  /// The unknowns of the particle to which this one belongs begin here.
+  Index first_of(Index unknown) const {
+    return std::max<Index>((unknown + held) / per_particle_ * per_particle_ - held, 0);
+  }
+
+  void hold_particle(Index unknown, Sparse& matrix) {
+    const Index first = first_of(unknown);
+    for (Index k = first; k < matrix.rows() && first_of(k) == first && !has_hold_[k]; ++k) {
+      matrix.coeffRef(k, k) += 1;
+      has_hold_[k] = true;
+      held_.push_back(k);
+    }
+  }
+
+  void hold(Index unknown, Sparse& matrix) {
+    if (!has_hold_[unknown]) return hold_particle(unknown, matrix);
+    for (Sparse::InnerIterator entry(matrix, unknown); entry; ++entry) hold_particle(entry.row(), matrix);
+  }
 
   MatrixXd at_holds(const MatrixXd& x) const { return x(held_, Eigen::all); }
 
@@ -87,8 +110,10 @@ class Compliance::Factor {
     rest_ = (0.5 * (rest_ + rest_.transpose())).eval();
   }
 
+  Index per_particle_;
+  Eigen::Array<bool, Eigen::Dynamic, 1> has_hold_;
   Cholesky definite_;
-  std::vector<Index> held_;  // unknowns with a hold; one with two holds is listed twice
+  std::vector<Index> held_;  // unknowns with a hold
   MatrixXd answers_;         // displacements of all unknowns by a force on each hold
   MatrixXd rest_;            // 1 - B^T (A + B B^T)^-1 B
   std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> indefinite_;
@@ -98,7 +123,8 @@ Compliance::Compliance(const Stiffness& stiffness, MatrixXd strains)
     : unknowns_(stiffness.unknowns()), per_particle_(stiffness.per_particle()), strains_(std::move(strains)) {
   require(unknowns_ >= 2 * per_particle_, "two particles at least");
   const Sparse all = stiffness.among_particles();
-  factor_ = std::make_unique<Factor>(all.bottomRightCorner(unknowns_ - held, unknowns_ - held));
+  factor_ =
+      std::make_unique<Factor>(all.bottomRightCorner(unknowns_ - held, unknowns_ - held), per_particle_);
   valid_ = factor_->valid();
   if (!valid_) return;
   negative_ = factor_->negative();

@@ -213,6 +213,7 @@ bool refine(const SmallMotion& motion, GrowingMode& mode) {
       lambda -=
           left.dot(Vector(lambda * lambda * m + lambda * c + k)) / left.dot(Vector(2.0 * lambda * m + c));
     mode.residual = (lambda * lambda * m + lambda * c + k).norm();
+    if (round > 0 && std::real(lambda) < 0) return false;  // the motion dies out
     if (std::abs(lambda - before) > 1e-9 * std::abs(lambda)) continue;
     mode.lambda = lambda;
     mode.motion = right.template cast<Complex>();
@@ -280,6 +281,9 @@ Growth find_growth(const SmallMotion& motion) {
     };
     if (growth.modes.size() == most) break;
     if (std::any_of(growth.modes.begin(), growth.modes.end(), same)) continue;
+    // Where contacts slide, an oscillation decides nothing: the fastest is told, the slower ones are passed
+    // over.
+    if (r.lambda.imag() != 0 && motion.slides() && growth.fastest()) continue;
     GrowingMode mode{.lambda = r.lambda, .motion = r.motion};
     const bool exact = r.lambda.imag() == 0 ? refine<double>(motion, mode) : refine<Complex>(motion, mode);
     if (!exact || !(mode.rate() > least_rate)) continue;

@@ -56,8 +56,11 @@ ShownCommand command_of(const std::string& line) {
       code(R"(exit code (\d+))");
   ShownCommand shown{std::regex_replace(line, comment, ""), 0, 0};
   std::smatch found;
-  if (std::regex_search(line, found, time))
-    shown.seconds = std::stod(found[1]) * (found[2] == "s" ? 1 : found[2] == "min" ? 60 : 3600);
+  const bool timed = std::regex_search(line, found, time);
+  static const std::regex vague(R"(#.*\b(minutes|hours?|days?)\b)");
+  EXPECT_TRUE(timed || !std::regex_search(line, vague))
+      << line << "\na time needs a number: # 20 s, # 3 min, # 9 hours";
+  if (timed) shown.seconds = std::stod(found[1]) * (found[2] == "s" ? 1 : found[2] == "min" ? 60 : 3600);
   if (std::regex_search(line, found, code)) shown.code = std::stoi(found[1]);
   return shown;
 }

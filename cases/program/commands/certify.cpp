@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <vector>
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
 #include "cases/program/run/progress.h"
 #include "engine/base/require.h"
+#include "engine/certificate/growth.h"
 #include "engine/state/validate.h"
 #include "io/case_protocol.h"
 #include "io/certificate_file.h"
@@ -27,17 +29,28 @@ struct CertifyOptions {
   int eigenvalues = CertificateTerms{}.eigenvalues;
 };
 
-/// Announces the expected time. The eigenvalues take 0.3 s for 1000 particles and 17 s for 4756
-/// (docs/developer/decisions/factor-instead-of-lanczos.md). With friction the search for motions that grow
-/// takes longer: 1.9 s for 200 particles, 21 s for 1000.
-void announce(std::size_t particles, bool friction, Console console) {
-  constexpr double of_thousand = 0.3, power = 2.6, growth_of_thousand = 20, growth_power = 1.5,
+/// Particles with enough contacts to be held; the backbone has about as many.
+std::size_t carrying(const Packing& packing, bool friction) {
+  std::vector<int> contacts(packing.size());
+  for (const Contact& c : packing.contacts) ++contacts[c.i], ++contacts[c.j];
+  const int least = friction ? 2 : 4;
+  return static_cast<std::size_t>(
+      std::count_if(contacts.begin(), contacts.end(), [&](int n) { return n >= least; }));
+}
+
+/// Announces the expected time (docs/developer/decisions/factor-instead-of-lanczos.md). With friction the
+/// search for motions that grow takes longer than the eigenvalues, unless there are too many unknowns for it.
+void announce(const Packing& packing, bool friction, Console console) {
+  constexpr double of_thousand = 0.1, power = 2, growth_of_thousand = 12, growth_power = 1.9,
                    noticed = 2;  // [s]
+  const std::size_t particles = carrying(packing, friction);
   const double thousands = static_cast<double>(particles) / 1000;
   double seconds = of_thousand * std::pow(thousands, power);
-  if (friction) seconds += growth_of_thousand * std::pow(thousands, growth_power);
+  if (friction && 6 * particles <= static_cast<std::size_t>(most_unknowns))
+    seconds += growth_of_thousand * std::pow(thousands, growth_power);
   if (seconds < noticed) return;
-  console.err << "certifying " << particles << " particles: stiffness matrix and its eigenvalues, about "
+  console.err << "certifying " << particles
+              << " particles with contacts: stiffness matrix and its eigenvalues, about "
               << duration_text(seconds) << '\n'
               << std::flush;
 }
@@ -123,7 +136,7 @@ Command certify_command() {
     const PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
-    announce(source.packing.size(), terms.springs.friction() > 0, console);
+    announce(source.packing, terms.springs.friction() > 0, console);
     const Certificate certificate = certify(source.packing, terms);
     write_certificate(certificate, terms, options->source, folder);
     console.out << certificate_text(certificate, terms, options->source);

@@ -116,6 +116,14 @@ TEST(Modes, OfAChainThatBuckles) {
   }
 }
 
+// So many pivots are negative that L D L^T counts them instead of holds.
+TEST(Modes, OfALongChainAreCountedByItsPivots) {
+  constexpr int length = 400;
+  const Modes modes = Answer(chain(length), 0, CellFreedom::fixed).modes;
+  EXPECT_TRUE(modes.valid);
+  EXPECT_EQ(modes.negative, 2 * (length - 1));
+}
+
 // Two spheres in a row with the forces F and G, each with its neighbour's image: side by side they step with
 // the eigenvalue -2 (F/r + G/s), in two directions. Each sphere lacks |F - G|, so that it is in doubt by 4 |F
 // - G| (1/r + 1/s). In balance it is unstable, and nearly so, too; were the row pressed by F alone, nobody
