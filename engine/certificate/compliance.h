@@ -14,11 +14,11 @@ namespace furnas {
 /// One particle is fixed. This removes the translations and changes no sign of an eigenvalue. The matrix of
 /// the other particles is factored by CHOLMOD (L L^T). The strains are eliminated by their Schur complement:
 /// the stiffness against a strain when the particles have relaxed. A Cholesky factor that exists proves that
-/// no eigenvalue is negative. If CHOLMOD meets a pivot that is not positive, a spring is added to the unknown
-/// of this pivot, and the factorization is restarted. Negative eigenvalues are then counted from a small
-/// dense matrix (Haynsworth's inertia additivity), and the added springs are removed from the inverse
-/// (Woodbury's identity). When more than four such springs are needed, the negative eigenvalues are counted
-/// by the signs of the pivots of L D L^T instead (Sylvester's law of inertia).
+/// no eigenvalue is negative. If CHOLMOD meets a pivot that is not positive, springs are added to the
+/// unknowns of its particle, and the factorization is restarted. Negative eigenvalues are then counted from a
+/// small dense matrix (Haynsworth's inertia additivity), and the added springs are removed from the inverse
+/// (Woodbury's identity). If it was restarted forty times, the negative eigenvalues are counted by the signs
+/// of the pivots of L D L^T instead (Sylvester's law of inertia).
 class Compliance {
  public:
   using Scalar = double;
