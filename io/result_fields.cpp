@@ -41,7 +41,7 @@ Json rattlers(const Result& r, const Case&) {
 
 Json resting_states(const Result& r, const Case&) {
   Json all = Json::array();
-  for (const RestingState& state : r.reached) all.push_back(entry(resting_fields(), state));
+  for (const RestingState& state : r.reached) all.push_back(entry(resting_fields(), state, r));
   return all;
 }
 
@@ -149,9 +149,12 @@ const RattlerField rattler_table[] = {
 };
 
 const RestingField resting_table[] = {
-    {{"pressure", "k_n/d_s", "bath", "p_a"}, [](const RestingState& s) -> Json { return s.pressure; }},
-    {{"phi_J", "", "packing", "packing fraction at rest under this pressure"}, [](const RestingState& s) -> Json { return s.phi; }},
-    {{"step", "", "run", "time step at which the packing was at rest"}, [](const RestingState& s) -> Json { return s.step; }},
+    {{"pressure", "k_n/d_s", "bath", "p_a"}, [](const RestingState& s, const Result&) -> Json { return s.pressure; }},
+    {{"phi_J", "", "packing", "packing fraction at rest under this pressure"}, [](const RestingState& s, const Result&) -> Json { return s.phi; }},
+    {{"step", "", "run", "time step at which the packing was at rest"}, [](const RestingState& s, const Result&) -> Json { return s.step; }},
+    {{"Z_backbone", "", "per backbone particle", "coordination of the backbone then"}, [](const RestingState& s, const Result&) -> Json { return s.Z_backbone; }},
+    {{"large_rattlers", "", "total", "large spheres that were rattlers, by the threshold that applies"}, [](const RestingState& s, const Result& r) { return of_species(r, s.large_rattlers); }},
+    {{"small_rattlers", "", "total", "small spheres that were rattlers, by the threshold that applies"}, [](const RestingState& s, const Result& r) { return of_species(r, s.small_rattlers); }},
 };
 // clang-format on
 

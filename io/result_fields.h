@@ -26,7 +26,7 @@ struct RattlerField {
 /// The same for an entry of "resting_states", one for each pressure at which the packing came to rest.
 struct RestingField {
   OutputField about;
-  nlohmann::ordered_json (*value)(const RestingState&);
+  nlohmann::ordered_json (*value)(const RestingState&, const Result&);
 };
 
 /// All fields, in the order of the file; "rattlers" and "resting_states" are lists with fields of their own.

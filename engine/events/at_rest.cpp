@@ -94,10 +94,15 @@ std::string RestWatch::furthest() const {
   return worst->share >= 1 && std::isfinite(worst->share) ? worst->name : "the window";
 }
 
+RestingState resting_state(double pressure, std::int64_t step, const Measures& measures) {
+  const RattlerCount& backbone = measures.backbone();
+  return {pressure, measures.phi, step, backbone.coordination, backbone.large, backbone.small};
+}
+
 bool NextPressure::due(Observation& now) { return !baths_.empty() && watch_.look(now).resting; }
 
 std::optional<Verdict> NextPressure::fire(Observation& now) {
-  reached_.push_back({now.simulation().model().barostat.pressure, now.measures().phi, now.step()});
+  reached_.push_back(resting_state(now.simulation().model().barostat.pressure, now.step(), now.measures()));
   now.simulation().set_bath(baths_.front());
   baths_.erase(baths_.begin());
   watch_.restart();

@@ -113,7 +113,13 @@ struct RestingState {
   double pressure{};  ///< [k_n/d_s]
   double phi{};
   std::int64_t step{};
+  double Z_backbone{};            ///< coordination of the backbone
+  std::int64_t large_rattlers{};  ///< by the threshold of the backbone, as the next
+  std::int64_t small_rattlers{};
 };
+
+/// The state in which a packing is now, under this pressure [k_n/d_s].
+RestingState resting_state(double pressure, std::int64_t step, const Measures& measures);
 
 /// When the packing rests and further pressures follow, records the resting state and sets the bath of the
 /// next pressure.

@@ -93,7 +93,7 @@ RunState ProtocolRun::state() const {
 std::vector<RestingState> ProtocolRun::reached(Verdict verdict) {
   std::vector<RestingState> all = reached_;
   if (verdict == Verdict::jammed)
-    all.push_back({simulation_->model().barostat.pressure, now_.measures().phi, now_.step()});
+    all.push_back(resting_state(simulation_->model().barostat.pressure, now_.step(), now_.measures()));
   return all;
 }
 

@@ -30,7 +30,7 @@ TEST(ResultFields, AreThoseOfTheFile) {
   const TemporaryFolder folder;
   Result result;
   result.measures.backbone_threshold = 2;
-  result.reached = {{1e-4, 0.6, 10}};
+  result.reached = {{1e-4, 0.6, 10, 4.5, 3, 2}};
   write_result(result, {}, folder / "result.json");
   std::set<std::string> written, told;
   names_in(nlohmann::json::parse(content(folder / "result.json")), "", written);

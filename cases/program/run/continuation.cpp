@@ -19,7 +19,8 @@ namespace furnas {
 namespace {
 
 constexpr const char* version_key = "version of furnas";
-constexpr const char* resting_states_key = "resting states: pressure phi step";
+constexpr const char* resting_states_key =
+    "resting states: pressure phi step Z_backbone large_rattlers small_rattlers";
 constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
 constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
 constexpr const char* counts_key = "counts: replaced lists_built wall_seconds ended";
@@ -28,7 +29,9 @@ constexpr std::string_view event_key = "event: ";
 
 std::string rows_of(const std::vector<RestingState>& reached) {
   std::string rows;
-  for (const RestingState& s : reached) rows += fmt::format("{} {} {}\n", s.pressure, s.phi, s.step);
+  for (const RestingState& s : reached)
+    rows += fmt::format("{} {} {} {} {} {}\n", s.pressure, s.phi, s.step, s.Z_backbone, s.large_rattlers,
+                        s.small_rattlers);
   return rows;
 }
 
@@ -101,7 +104,8 @@ std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
     return reached;  // the checkpoint of a packing without a run
   Numbers rows(text_under(checkpoint, resting_states_key));
   for (RestingState s; rows.more(); reached.push_back(s))
-    require_saved(rows.take(s.pressure, s.phi, s.step), resting_states_key);
+    require_saved(rows.take(s.pressure, s.phi, s.step, s.Z_backbone, s.large_rattlers, s.small_rattlers),
+                  resting_states_key);
   return reached;
 }
 

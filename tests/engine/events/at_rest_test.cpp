@@ -220,7 +220,13 @@ TEST(NextPressure, GoesDownTheListAndThenTheRunEnds) {
   EXPECT_EQ(reached[0].step, 11'000);
   EXPECT_EQ(reached[1].pressure, 1.0005e-4);
   EXPECT_EQ(reached[1].step, 21'000);
-  for (const RestingState& s : reached) EXPECT_EQ(s.phi, story.now.measures().phi);
+  const Measures& m = story.now.measures();
+  for (const RestingState& s : reached) {
+    EXPECT_EQ(s.phi, m.phi);
+    EXPECT_EQ(s.Z_backbone, m.backbone().coordination);
+    EXPECT_EQ(s.large_rattlers, m.backbone().large);
+    EXPECT_EQ(s.small_rattlers, m.backbone().small);
+  }
 }
 
 /// The stress that was right for one pressure is wrong for the next: it does not rest at once.

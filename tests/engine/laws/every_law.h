@@ -40,7 +40,9 @@ constexpr double no_sliding = 1e30;
 struct LawName {
   template <class Law>
   static std::string GetName(int) {  // NOLINT(readability-identifier-naming): GoogleTest calls it
-    return std::string(Law::name) + (Law::spins ? "" : "_frictionless");
+    std::string name(Law::name);
+    if (!Law::spins) name += "_frictionless";
+    return name;
   }
 };
 
