@@ -35,5 +35,14 @@ TEST(StudyFigures, FollowFromTheTablesBesideThem) {
   EXPECT_EQ(std::count_if(fs::directory_iterator(drawn), fs::directory_iterator(), is_kept), kept);
 }
 
+TEST(StudyFigures, OfTheSecondTransitionFollowsFromItsTable) {
+  const fs::path table = fs::path(FURNAS_SOURCE_DIR) / "docs/results/findings/second_transition";
+  const TemporaryFolder folder;
+  const Ending drawing = ending_of({"plot", table.string(), "--x", "pressure", "--y", "small_rattlers_4",
+                                    "--by", "small_fraction", "--out", (folder / "drawn.svg").string()});
+  ASSERT_EQ(drawing.code, 0) << drawing.out;
+  EXPECT_EQ(content(folder / "drawn.svg"), content(table / "small_rattlers.svg"));
+}
+
 }  // namespace
 }  // namespace furnas
