@@ -35,7 +35,7 @@ Result example(Verdict verdict) {
                      4.5 + static_cast<double>(n)};
   r.rest.strain_drift = 7e-7;
   r.rest.stress_error = 2e-4;
-  r.reached = {{2e-4, 0.57, 1000}, {1e-4, 0.58, 2000}};
+  r.reached = {{2e-4, 0.57, 1000, 4.6, 1, 20}, {1e-4, 0.58, 2000, 4.7, 0, 10}};
   r.evaluations = 4321;
   r.state_hash = 0x0123456789abcdef;
   r.large = 200;
@@ -123,8 +123,11 @@ TEST(Result, CountsRattlersOfEachSpeciesAtEachThreshold) {
 
 TEST(Result, ListsThePressuresThatWereReached) {
   const Json json = written(example(Verdict::budget))["resting_states"];
-  EXPECT_EQ(json, (Json{{{"pressure", 2e-4}, {"phi_J", 0.57}, {"step", 1000}},
-                        {{"pressure", 1e-4}, {"phi_J", 0.58}, {"step", 2000}}}));
+  const auto state = [](double p, double phi, int step, double z, int large, int small) {
+    return Json{{"pressure", p},           {"phi_J", phi},           {"step", step}, {"Z_backbone", z},
+                {"large_rattlers", large}, {"small_rattlers", small}};
+  };
+  EXPECT_EQ(json, (Json{state(2e-4, 0.57, 1000, 4.6, 1, 20), state(1e-4, 0.58, 2000, 4.7, 0, 10)}));
 }
 
 TEST(Result, TellsALooseBalanceFromATightOne) {
