@@ -164,7 +164,8 @@ std::vector<Ritz> dense(const SmallMotion& motion, double above) {
 }
 
 /// Refines an eigenvalue and its left and right eigenvectors by inverse iteration, with the eigenvalue itself
-/// as the shift. Then computes the doubt of the eigenvalue.
+/// as the shift. Then computes the doubt of the eigenvalue. False if this fails or leads to a motion that
+/// dies out.
 template <class Number>
 bool refine(const SmallMotion& motion, GrowingMode& mode) {
   using Vector = typename Factor<Number>::Vector;

@@ -44,9 +44,9 @@ struct Growth {
 /// With few unknowns all eigenvalues are computed from a dense matrix. With many unknowns the equations are
 /// written as x' = A x, and Arnoldi's method is applied to (A - sigma)^-1 for each of several real shifts
 /// sigma, starting from a random motion. For each sigma M sigma^2 + C sigma + K is factored once (UMFPACK).
-/// The method first finds the eigenvalues near sigma and those with a large real part. Each growing mode and
-/// its left eigenvector are then refined with the mode's own lambda as the shift. The doubt follows from both
-/// eigenvectors.
+/// The method first finds the eigenvalues near sigma and those with a large real part. Each growing mode that
+/// may decide and its left eigenvector are then refined with the mode's own lambda as the shift. The doubt
+/// follows from both eigenvectors.
 Growth find_growth(const SmallMotion& motion);
 
 }  // namespace furnas
