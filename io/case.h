@@ -72,9 +72,10 @@ struct Case {
     double stilling =
         100;  ///< all motion is set to zero within this factor of the limits of force balance and drift,
     double stilling_energy = 1e4;  ///< and within this factor of the limit of kinetic energy,
-    double growth = 1.15;   ///< unless the kinetic energy grows by more than this factor in half a window
-    double phi_error = 0;   ///< ends the run as settled once phi can change by less; 0: never
-    bool minimizer = true;  ///< without friction, ends the compaction by minimizing the enthalpy
+    double growth = 1.15;  ///< unless the kinetic energy grows by more than this factor in half a window
+    double phi_error = 0;  ///< ends the run as settled once phi can change by less; 0: never
+    std::int64_t final_quenches = 0;  ///< how often all motion is set to zero at rest, before the verdict
+    bool minimizer = true;            ///< without friction, ends the compaction by minimizing the enthalpy
     std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run
     friend bool operator==(const Stop&, const Stop&) = default;
   };

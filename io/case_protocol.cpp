@@ -31,7 +31,8 @@ RestCriteria rest_of(const Case::Stop& stop) {
           .stilling = stop.stilling,
           .stilling_energy = stop.stilling_energy,
           .growth = stop.growth,
-          .phi_error = stop.phi_error};
+          .phi_error = stop.phi_error,
+          .final_quenches = stop.final_quenches};
 }
 
 }  // namespace

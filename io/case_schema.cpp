@@ -175,6 +175,11 @@ std::vector<Key> stop() {
             "a run that does not come to rest ends as settled once the possible further change of phi is "
             "bounded below this number; 0: never",
             [](Case& c) -> Field { return &c.stop.phi_error; }),
+      plain("stop", "final_quenches", "", from_to(0, 1000),
+            "number of times that all motion is set to zero, 2 t_c apart, when the packing is at rest and "
+            "before "
+            "it counts as jammed; 20 take out the hits of rattlers, which a certificate counts as contacts",
+            [](Case& c) -> Field { return &c.stop.final_quenches; }),
       plain("stop", "minimizer", "", std::monostate{},
             "true: without friction, the forces are balanced at the end by minimizing the enthalpy; false: "
             "by time steps alone",

@@ -284,6 +284,14 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
   certificate.eigenvalues = modes.lowest;
   if (certificate.eigenvalues.size() > shown) certificate.eigenvalues.resize(shown);
   if (growth.fastest()) certificate.growth_rate = growth.fastest()->rate();
+  certificate.kick = Kick(packing.size());
+  for (const Eigen::VectorXd& motion : modes.unresisted)
+    certificate.kick.add(motion, backbone, packing.radius);
+  if (growth.certain) {
+    const Eigen::VectorXcd velocity = growth.certain->lambda * growth.certain->motion;
+    certificate.kick.add(velocity.real().head(small.per_particle() * small.particles()), backbone,
+                         packing.radius);
+  }
   certificate.parts = {backbone_part(network, packing.species, backbone),
                        balance_part(network, backbone, terms, certificate.balance),
                        stress_part(network, terms),

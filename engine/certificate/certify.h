@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/certificate/contact_network.h"
+#include "engine/certificate/kick.h"
 #include "engine/certificate/part.h"
 #include "engine/certificate/small_motion.h"
 #include "engine/state/cell.h"
@@ -45,6 +46,7 @@ struct Certificate {
   double shear_modulus{};        ///< G, mean over directions [k_n/d_s]
   std::vector<double> eigenvalues;  ///< the lowest [k_n]
   double growth_rate{};             ///< of the fastest growing motion; 0 if none was found [1/time]
+  Kick kick;                        ///< the motions that cost no energy or grow
   std::vector<Part> parts;
 
   bool passed() const {

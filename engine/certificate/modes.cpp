@@ -129,6 +129,7 @@ Modes find_modes(const Stiffness& stiffness, CellFreedom freedom, int count) {
     const double value = modes.lowest[static_cast<std::size_t>(k)];
     modes.residual = std::max(modes.residual, (times(stiffness, strains, v) - value * v).norm());
     modes.doubt.push_back(stiffness.doubt(motion_of(v, stiffness.unknowns(), strains)));
+    if (value < flat_mode) modes.unresisted.emplace_back(v.head(stiffness.unknowns()));
   }
   return modes;
 }

@@ -20,6 +20,9 @@ struct Modes {
   std::vector<double> lowest;  ///< eigenvalues nearest to 0, rising, without the translations [k_n]
   std::vector<double> doubt;   ///< their uncertainty because forces do not balance exactly [k_n]
   double residual{};           ///< largest |K v - lambda v|, |v| = 1, with K v summed over contacts
+  /// Motions of the modes below flat_mode, whether or not their sign is in doubt: u and R theta of each
+  /// particle of the backbone.
+  std::vector<Eigen::VectorXd> unresisted{};
   StrainMatrix relaxed = StrainMatrix::Zero();  ///< stiffness of the strains [k_n d_s^2]
 
   /// Whether the k-th eigenvalue is flat or negative, with a doubt larger than its absolute value. Then no

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/numbers.h"
+#include "engine/base/require.h"
+
 namespace furnas {
 
 double stress_error(const Measures& m, const Barostat& bath) {
@@ -97,6 +100,38 @@ std::string RestWatch::furthest() const {
 RestingState resting_state(double pressure, std::int64_t step, const Measures& measures) {
   const RattlerCount& backbone = measures.backbone();
   return {pressure, measures.phi, step, backbone.coordination, backbone.large, backbone.small};
+}
+
+std::int64_t AtRest::next(std::int64_t step) const {
+  return quenching() ? begun_ + done_ * spacing_ : next_multiple(step, watch_.period());
+}
+
+bool AtRest::due(Observation& now) {
+  if (quenching()) return true;
+  const bool resting = watch_.look(now).resting;
+  if (!resting) done_ = 0;
+  return resting;
+}
+
+std::optional<Verdict> AtRest::fire(Observation& now) {
+  if (done_ == watch_.criteria().final_quenches) return Verdict::jammed;
+  if (done_ == 0) begun_ = now.step();
+  now.stop_all_motion();
+  ++done_;
+  ++count_;
+  return {};
+}
+
+std::string AtRest::saved() {
+  if (count_ == 0) return {};
+  return exact_text(done_, begun_, count_);
+}
+
+void AtRest::restore(const std::string& saved) {
+  if (saved.empty()) return;
+  const bool read = Numbers(saved).take_all(done_, begun_, count_);
+  if (!read || done_ < 0 || begun_ < 0 || count_ < done_)
+    throw InputError("a run remembers \"" + saved + "\" where it must remember its final quenches");
 }
 
 bool NextPressure::due(Observation& now) { return !baths_.empty() && watch_.look(now).resting; }

@@ -31,6 +31,8 @@ struct RestCriteria {
   /// A run that does not come to rest ends as settled once the bound on the further change of phi
   /// (engine/events/settle.h) is below this value; 0: never.
   double phi_error = 0;
+  /// How often all motion is taken out at the end, before a packing at rest counts as jammed (AtRest).
+  std::int64_t final_quenches = 0;
 };
 
 /// The unit of time of the strain drift [t_c].
@@ -138,17 +140,36 @@ class NextPressure final : public Event {
   std::vector<RestingState>& reached_;
 };
 
-/// Ends the run as jammed when the packing rests.
+/// Ends the run as jammed when the packing rests. If criteria.final_quenches is not 0, all motion is first
+/// taken out that many times, and the packing must then still rest.
+///
+/// The backbone of a packing at rest does not move, but rattlers fly between it and hit it. Their hits are
+/// contacts like any other in a certificate, which counts every overlap, and their forces are not in balance.
+/// A single quench leaves the elastic energy of the contacts that are closed at that moment, and each rattler
+/// flies off again; repeated quenches take out that energy, too, as in kinetic damping.
 class AtRest final : public Event {
  public:
-  explicit AtRest(RestWatch& watch) : watch_(watch) {}
+  /// `spacing`: steps between two quenches, about the duration of two collisions.
+  AtRest(RestWatch& watch, std::int64_t spacing) : watch_(watch), spacing_(spacing) {}
   const char* name() const override { return "at rest"; }
-  std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
-  bool due(Observation& now) override { return watch_.look(now).resting; }
-  std::optional<Verdict> fire(Observation&) override { return Verdict::jammed; }
+  std::int64_t next(std::int64_t step) const override;
+  bool due(Observation& now) override;
+  std::optional<Verdict> fire(Observation& now) override;
+
+  std::string saved() override;
+  void restore(const std::string& saved) override;
+
+  /// How often this event has taken out all motion since the run began.
+  std::int64_t count() const { return count_; }
 
  private:
+  bool quenching() const { return done_ > 0 && done_ < watch_.criteria().final_quenches; }
+
   RestWatch& watch_;
+  std::int64_t spacing_;    ///< [steps]
+  std::int64_t done_ = 0;   ///< quenches since the packing came to rest
+  std::int64_t begun_ = 0;  ///< step of the first of them
+  std::int64_t count_ = 0;
 };
 
 }  // namespace furnas

@@ -103,7 +103,7 @@ std::int64_t ProtocolRun::lists_built() const {
   return past_.lists_built + simulation_->neighbours().builds - (goes_on_ ? 1 : 0);
 }
 
-std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_); }
+std::int64_t ProtocolRun::quenches() const { return count_of<Quench>(events_) + count_of<AtRest>(events_); }
 std::int64_t ProtocolRun::evaluations() const {
   const auto* const event = find<Minimize>(events_);
   return event ? event->evaluations() : 0;

@@ -16,7 +16,7 @@ namespace furnas {
 
 Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Barostat> later, RestWatch& watch,
                 std::vector<RestingState>& reached, Onlookers onlookers) {
-  constexpr double order_time = 200, flip_time = 2;  // [t_c]
+  constexpr double order_time = 200, flip_time = 2, quench_time = 2;  // [t_c]
   const bool can_rest = protocol.cell != CellFreedom::fixed;
   const bool quenches = can_rest && !protocol.rest.kinetic_energy_alone;
   const bool minimizes = quenches && protocol.minimizer && protocol.contact.friction == 0;
@@ -30,7 +30,7 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   add(std::make_unique<RenewOrder>(rhythm.steps(order_time)));
   add_all(onlookers.before_verdict);
   if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later), reached));
-  if (can_rest) add(std::make_unique<AtRest>(watch));
+  if (can_rest) add(std::make_unique<AtRest>(watch, rhythm.steps(quench_time)));
   if (minimizes) add(std::make_unique<Minimize>(watch));
   if (quenches) {
     auto quench = std::make_unique<Quench>(watch);

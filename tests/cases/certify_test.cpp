@@ -221,6 +221,39 @@ TEST(Certify, MakesTheFolderThatIsNamed) {
   EXPECT_FALSE(fs::exists(packing.path("certificate.json")));
 }
 
+TEST(Certify, HasNoMotionToSetGoingInAStablePacking) {
+  Certified packing("0");
+  const Answer answer = packing.certify({"--kick", packing.path("kicked.toml")});
+  EXPECT_EQ(answer.code, ExitCode::done);
+  EXPECT_THAT(answer.out, HasSubstr("no motion to set going"));
+  EXPECT_FALSE(fs::exists(packing.path("kicked.toml")));
+  const Answer other = packing.certify({"--kick", packing.path("kicked.vtp")});
+  EXPECT_EQ(other.code, ExitCode::bad_case);
+  EXPECT_THAT(other.err, HasSubstr("allowed: a name that ends in .toml"));
+}
+
+// A packing whose sliding contacts let a motion grow e-fold in ten time units. Its run goes on from the kick
+// to a stable rest, at about the same phi.
+TEST(Certify, SetsGoingWhatIsNotStable) {
+  const Runs runs(
+      "[mixture]\nsize_ratio = 3.0\nsmall_fraction = 0.3\nlarge = 30\nseed = 7\n[output]\npicture = "
+      "\"none\"\n");
+  ASSERT_EQ(runs.run("a").code, ExitCode::done);
+  Answer answer = furnas({"certify", runs.path("a"), "--kick", runs.path("a_kicked.toml")});
+  ASSERT_EQ(answer.code, ExitCode::not_certified) << answer.out;
+  EXPECT_THAT(answer.out, HasSubstr("1 motion set going"));
+  std::string name = "a";
+  for (int round = 0; round < 4 && answer.code == ExitCode::not_certified; ++round) {
+    const std::string kicked = runs.path(name + "_kicked.toml");
+    name += "_next";
+    ASSERT_EQ(furnas({"run", kicked, "--out", runs.path(name)}).code, ExitCode::done);
+    answer = furnas({"certify", runs.path(name), "--kick", runs.path(name + "_kicked.toml")});
+  }
+  EXPECT_EQ(answer.code, ExitCode::done) << answer.out;
+  EXPECT_GE(runs.result(name)["quenches"], 20);
+  EXPECT_NEAR(runs.result(name)["phi_J"], double(runs.result("a")["phi_J"]), 1e-3);
+}
+
 /// Runs the case of the program's defaults with `set` in its place and certifies what comes out.
 void expect_certified(const std::vector<std::string>& set) {
   const Runs runs("[output]\npicture = \"none\"\n");

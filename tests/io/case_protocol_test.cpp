@@ -87,6 +87,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
             .stilling = 8,
             .stilling_energy = 9,
             .growth = 10,
+            .final_quenches = 11,
             .minimizer = false,
             .steps = 6};
   c.compute = {.precision = "double", .threads = 7, .skin = 0.8};
@@ -116,6 +117,7 @@ TEST(CaseProtocol, TakesEachKeyOfTheCase) {
   EXPECT_EQ(p.rest.stilling, 8);
   EXPECT_EQ(p.rest.stilling_energy, 9);
   EXPECT_EQ(p.rest.growth, 10);
+  EXPECT_EQ(p.rest.final_quenches, 11);
   EXPECT_FALSE(p.minimizer);
   EXPECT_EQ(p.steps, 6);
   EXPECT_EQ(p.precision, Precision::full);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,8 +14,11 @@
 #include "engine/base/require.h"
 #include "engine/certificate/growth.h"
 #include "engine/state/validate.h"
+#include "io/atomic_file.h"
+#include "io/case_file.h"
 #include "io/case_protocol.h"
 #include "io/certificate_file.h"
+#include "io/checkpoint.h"
 
 namespace furnas {
 namespace {
@@ -22,6 +27,7 @@ struct CertifyOptions {
   std::string source;
   std::optional<std::int64_t> frame;
   std::string out;
+  std::string kick;
   std::optional<double> pressure, friction;  ///< of a packing that no run has made
   std::optional<double> force_imbalance;
   std::optional<double> stress_error;
@@ -106,6 +112,29 @@ PackingSource told_source(const CertifyOptions& options) {
   return source;
 }
 
+/// Writes the packing with its unresisted motions set going as a checkpoint, and a case that starts from it.
+void write_kicked(PackingSource& source, const Certificate& certificate, double pressure,
+                  const std::filesystem::path& file, Console console) {
+  const std::int64_t motions = certificate.kick.motions();
+  if (motions == 0) {
+    console.out << fmt::format("\n--kick: no motion to set going; {} is not written\n", file.string());
+    return;
+  }
+  constexpr std::int64_t quenches = 20;
+  certificate.kick.give(source.packing, kick_speed);
+  Case c = *source.of_case;
+  c.mixture = {};
+  c.compaction.pressure = {pressure};
+  c.start.file = std::filesystem::path(file).replace_extension(".checkpoint").filename();
+  c.stop.final_quenches = std::max(c.stop.final_quenches, quenches);
+  make_folder_of(file);
+  write_checkpoint({source.packing, resolved_toml(c), {}}, file.parent_path() / c.start.file);
+  write_file(file, resolved_toml(c));
+  console.out << fmt::format(
+      "\n{} motion{} set going, the fastest sphere of each with {:g} d_s/time\nto follow: furnas run {}\n",
+      motions, motions == 1 ? "" : "s", kick_speed, file.string());
+}
+
 }  // namespace
 
 Command certify_command() {
@@ -118,6 +147,10 @@ Command certify_command() {
     add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out,
             "folder for certificate.json and certificate.txt; default: that of the packing");
+    app.add(
+        "--kick", options->kick,
+        "write a case (.toml) and its start, the packing with the motions that no spring resists set going; "
+        "its run follows them to another state of rest");
     app.add("--force-imbalance", options->force_imbalance,
             "largest mean |net force|/mean contact force; default: 1e-3, or the value in the case if that is "
             "larger")
@@ -133,13 +166,17 @@ Command certify_command() {
   };
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);
-    const PackingSource source = told_source(*options);
+    if (!options->kick.empty() && std::filesystem::path(options->kick).extension() != ".toml")
+      throw InputError("--kick " + options->kick + ": allowed: a name that ends in .toml");
+    PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
     announce(source.packing, terms.springs.friction() > 0, console);
     const Certificate certificate = certify(source.packing, terms);
     write_certificate(certificate, terms, options->source, folder);
     console.out << certificate_text(certificate, terms, options->source);
+    if (!options->kick.empty())
+      write_kicked(source, certificate, terms.cell.pressure, options->kick, console);
     return certificate.passed() ? ExitCode::done : ExitCode::not_certified;
   };
   return command;

@@ -193,9 +193,67 @@ TEST(StressError, CountsWhatTheCellCanAnswerTo) {
 TEST(AtRest, EndsTheRunAsJammed) {
   RestingStory story = always({});
   Events events;
-  events.push_back(std::make_unique<AtRest>(story.watch));
+  events.push_back(std::make_unique<AtRest>(story.watch, 50));
   EXPECT_EQ(compact(story.now, events), Verdict::jammed);
   EXPECT_EQ(story.now.step(), 11'000);
+}
+
+/// The steps at which a made-up run takes out all motion at its end, and the step at which it is jammed.
+/// After each of these events another process continues.
+std::vector<std::int64_t> end_of(RestingStory& story) {
+  std::vector<std::int64_t> steps;
+  auto at_rest = std::make_unique<AtRest>(story.watch, 50);
+  for (std::int64_t next = at_rest->next(0); next < 100'000; next = at_rest->next(next)) {
+    story.simulation.advance(next - story.now.step(), nullptr);
+    if (!at_rest->due(story.now)) continue;
+    steps.push_back(next);
+    if (at_rest->fire(story.now)) {
+      EXPECT_EQ(at_rest->count(), story.now.replaced());
+      return steps;
+    }
+    const std::string saved = at_rest->saved();
+    at_rest = std::make_unique<AtRest>(story.watch, 50);
+    at_rest->restore(saved);
+  }
+  return {};
+}
+
+TEST(AtRest, QuenchesAtTheEndAsOftenAsTheCriteriaSay) {
+  using Steps = std::vector<std::int64_t>;
+  RestingStory none = always({.rattler_energy = 1}),
+               three = always({.rattler_energy = 1}, {.final_quenches = 3});
+  EXPECT_EQ(end_of(none), (Steps{11'000}));
+  EXPECT_NEAR(none.now.measures().kinetic_energy, 1.0 / 6, 1e-15);
+  EXPECT_EQ(end_of(three), (Steps{11'000, 11'050, 11'100, 12'000}));
+  EXPECT_EQ(three.now.measures().kinetic_energy, 0);
+}
+
+// At step 12 000 the packing is no longer at rest, so a full window must pass again.
+TEST(AtRest, QuenchesAgainIfThePackingDoesNotStayAtRest) {
+  RestingStory story = always({}, {.final_quenches = 2});
+  AtRest at_rest(story.watch, 50);
+  std::vector<std::int64_t> steps;
+  for (std::int64_t next = 1000;; next = at_rest.next(next)) {
+    story.simulation.advance(next - story.now.step(), nullptr);
+    if (next == 12'000) story.now.replace(almost_resting({.force_imbalance = 0.1}));
+    if (next == 13'000) story.now.replace(almost_resting({}));
+    if (!at_rest.due(story.now)) continue;
+    steps.push_back(next);
+    if (at_rest.fire(story.now)) break;
+  }
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{11'000, 11'050, 23'000, 23'050, 24'000}));
+}
+
+TEST(AtRest, RefusesAMemoryThatIsNone) {
+  RestWatch watch({.final_quenches = 5}, story_rhythm);
+  AtRest at_rest(watch, 50);
+  EXPECT_EQ(at_rest.saved(), "");
+  at_rest.restore("");
+  at_rest.restore("2 11000 7");
+  EXPECT_EQ(at_rest.saved(), "2 11000 7");
+  EXPECT_EQ(at_rest.next(11'050), 11'100);
+  for (const char* saved : {"2", "2 11000", "2 11000 1", "-1 11000 7", "2 -1 7", "2 11000 7 ", " "})
+    EXPECT_THROW(at_rest.restore(saved), InputError) << saved;
 }
 
 std::vector<Barostat> baths_at(const std::vector<double>& pressures) {
@@ -210,7 +268,7 @@ TEST(NextPressure, GoesDownTheListAndThenTheRunEnds) {
   std::vector<RestingState> reached;
   Events events;
   events.push_back(std::make_unique<NextPressure>(story.watch, baths_at({1.0005e-4, 1.0009e-4}), reached));
-  events.push_back(std::make_unique<AtRest>(story.watch));
+  events.push_back(std::make_unique<AtRest>(story.watch, 50));
   EXPECT_EQ(compact(story.now, events), Verdict::jammed);
   // The first look at a new pressure is taken at the step at which it is set.
   EXPECT_EQ(story.now.step(), 31'000);
@@ -235,7 +293,7 @@ TEST(NextPressure, WaitsForTheNewStress) {
   std::vector<RestingState> reached;
   Events events;
   events.push_back(std::make_unique<NextPressure>(story.watch, baths_at({2e-4}), reached));
-  events.push_back(std::make_unique<AtRest>(story.watch));
+  events.push_back(std::make_unique<AtRest>(story.watch, 50));
   events.push_back(std::make_unique<Budget>(200'000));
   EXPECT_EQ(compact(story.now, events), Verdict::budget);
   EXPECT_EQ(reached.size(), 1u);

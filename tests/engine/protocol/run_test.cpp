@@ -44,6 +44,21 @@ TEST(Jam, GivesAPackingAtRestUnderItsPressure) {
   EXPECT_LT(*end.phi_J(), 0.75);
 }
 
+// Rattlers fly on after a single quench, since the contacts that were closed push them off again. The packing
+// stays what it is.
+TEST(Jam, FinalQuenchesStopTheRattlers) {
+  Protocol protocol = hasty();
+  const Jam one = jam(gas(), protocol);
+  protocol.rest.final_quenches = 20;
+  const Jam many = jam(gas(), protocol);
+  ASSERT_EQ(one.verdict, Verdict::jammed);
+  ASSERT_EQ(many.verdict, Verdict::jammed);
+  EXPECT_GT(one.measures.kinetic_energy, 0);
+  EXPECT_LT(many.measures.kinetic_energy, 1e-4 * one.measures.kinetic_energy);
+  EXPECT_LT(many.rest.force_imbalance, one.rest.force_imbalance);
+  EXPECT_NEAR(*many.phi_J(), *one.phi_J(), 1e-4);
+}
+
 TEST(Jam, HasTheSameBitsForAnyThreads) {
   Protocol protocol = hasty();
   protocol.steps = 3000;
