@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/program/census.h"
+#include "cases/program/expected_steps.h"
 #include "cases/program/run/progress.h"
 #include "engine/base/sphere.h"
 #include "engine/monitor/stability.h"
@@ -181,11 +182,14 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const int threads =
       c.compute.threads ? *c.compute.threads : threads_for(static_cast<std::size_t>(n.particles));
   const double rate = pace_of_a_core * threads;
+  const double expected = expected_steps(c, n.particles);
   const auto seconds = [&](double steps) { return steps * n.particles / rate; };
   out.report += fmt::format(
-      "time      about {} for 3e4 steps (equal spheres), {} for the cap of {} steps, on {} thread{}\n",
-      duration_text(seconds(3e4)), duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps,
-      threads, threads == 1 ? "" : "s");
+      "time      about {} for {:.1g} steps, known within a factor of three; {} for the cap of {} steps; on "
+      "{} "
+      "thread{}\n",
+      duration_text(seconds(expected)), expected, duration_text(seconds(static_cast<double>(c.stop.steps))),
+      c.stop.steps, threads, threads == 1 ? "" : "s");
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&

@@ -34,7 +34,7 @@ class Kick {
 };
 
 /// With this speed a sphere moves by a few hundredths of a diameter in a window of the default criteria of
-/// rest, and its energy is a thousandth of that of a contact at p_a 1e-4 [d_s/time].
+/// rest, and its energy is about that of a contact at p_a 1e-4 [d_s/time].
 inline constexpr double kick_speed = 1e-4;
 
 }  // namespace furnas

@@ -11,11 +11,17 @@
 namespace furnas {
 namespace {
 
-/// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy.
+/// Backbones with so many particles are left to the time steps for longer.
+constexpr std::int64_t large = 1500;
+
+/// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy. In a large
+/// packing the forces must nearly balance, too.
 bool has_found_its_basin(const RestReport& r, const Measures& m) {
   constexpr double stress_error = 0.05;
   constexpr double motion = 0.05;  // kinetic energy/energy of the contacts
-  return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal;
+  constexpr double imbalance = 0.003;
+  return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal &&
+         (r.backbone < large || r.force_imbalance < imbalance);
 }
 
 bool is_balanced(const RestReport& r, const RestCriteria& c) {
@@ -48,8 +54,8 @@ bool Minimize::due(Observation& now) {
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
-  constexpr std::int64_t patience = 50'000;  // evaluations
-  constexpr std::int64_t pause = 5;          // windows
+  const std::int64_t patience = watch_.report().backbone < large ? 50'000 : 20'000;  // evaluations
+  constexpr std::int64_t pause = 5;                                                  // windows
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();
   const auto enthalpy_and_motion = [&] {

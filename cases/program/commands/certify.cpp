@@ -116,8 +116,10 @@ PackingSource told_source(const CertifyOptions& options) {
 void write_kicked(PackingSource& source, const Certificate& certificate, double pressure,
                   const std::filesystem::path& file, Console console) {
   const std::int64_t motions = certificate.kick.motions();
-  if (motions == 0) {
-    console.out << fmt::format("\n--kick: no motion to set going; {} is not written\n", file.string());
+  if (certificate.passed() || motions == 0) {
+    console.out << fmt::format("\n--kick: {}; {} is not written\n",
+                               certificate.passed() ? "the packing passes" : "no motion to set going",
+                               file.string());
     return;
   }
   constexpr std::int64_t quenches = 20;

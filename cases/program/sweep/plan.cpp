@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cases/program/build_info.h"
+#include "cases/program/expected_steps.h"
 #include "cases/program/preflight.h"
 #include "cases/program/run/recording.h"
 #include "engine/base/require.h"
@@ -24,27 +25,6 @@ namespace furnas {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Expected steps to rest, within a factor of two or three, from samples of size ratio 1 to 20
-/// (docs/results/performance.md, "Steps to a verdict"); an evaluation of the minimizer counts as one and a
-/// half steps. With friction, packings near the densest mixture take the longest, because a few bridges of
-/// spheres carry the load there. Without friction it is packings of many spheres that carry load: all
-/// spheres, or, below the densest mixture of size ratio 3 and more, the large ones alone. A shorter time step
-/// needs more steps.
-double expected_steps(const Case& c, double particles) {
-  const double alpha = c.mixture.size_ratio, f_s = c.mixture.small_fraction;
-  const double off = (f_s - 0.33) / 0.12;
-  const double near_the_maximum = std::min(1e4 * alpha * alpha, 3e5) * std::exp(-off * off);
-  const bool large_ones_alone = alpha >= 3 && f_s < 0.2;
-  const double carriers = large_ones_alone ? static_cast<double>(c.mixture.large) : particles;
-  const bool minimized = c.stop.minimizer && c.stop.criterion == "rest";
-  const double steps = c.contact.friction > 0 ? 3e4 + near_the_maximum
-                       : minimized            ? 6e4 * std::max(carriers / 1000, 1.0)
-                                              : 1e5 * std::sqrt(std::max(particles / 500, 1.0));
-  const Protocol protocol = protocol_of(c);
-  const double usual = time_step_of({.contact = protocol.contact}) / time_step_of(protocol);
-  return std::min(steps * std::max(usual, 1.0), static_cast<double>(c.stop.steps));
-}
 
 double particles_of(const Case& c) {
   if (!c.start.file.empty()) return static_cast<double>(start_of(c).size());

@@ -42,6 +42,13 @@ TEST(Minimize, WaitsUntilTheMotionIsSmallAgainstTheSprings) {
   EXPECT_FALSE(due({.force_imbalance = 0.05, .rattler_energy = 0.06 * springs}, overlap));
 }
 
+// A large packing is left to the steps until its rearrangements are over.
+TEST(Minimize, WaitsForTheBalanceOfALargePacking) {
+  EXPECT_TRUE(due({.force_imbalance = 0.0031, .groups = 299})) << "1495 spheres";
+  EXPECT_FALSE(due({.force_imbalance = 0.0031, .groups = 300})) << "1500 spheres";
+  EXPECT_TRUE(due({.force_imbalance = 0.0029, .groups = 300}));
+}
+
 TEST(Minimize, LeavesThePackingToTheStepsAfterASearch) {
   RestingStory story([](std::int64_t) { return Unrest{.force_imbalance = 0.05}; });
   Minimize minimize(story.watch);

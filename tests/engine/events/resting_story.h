@@ -18,6 +18,7 @@ struct Unrest {
   double rattler_energy = 0;  ///< of the rattler alone [k_n d_s^2]
   double strain = 0;          ///< of the edge along x
   bool contacts = true;
+  std::size_t groups = 1;  ///< of five spheres in contact
 };
 
 inline constexpr double story_pressure = 1e-4;
@@ -25,28 +26,39 @@ inline constexpr double story_pressure = 1e-4;
 /// Steps of 0.02 t_c: a window of 200 t_c is 10 000 of them.
 inline const Rhythm story_rhythm(0.02);
 
-/// Five spheres that all touch, each by a contact along every axis, and a rattler: under the pressure
-/// 1e-4, save for what `unrest` says. All numbers that the criteria ask for follow from it directly.
+/// Groups of five spheres that all touch, each by a contact along every axis, and a rattler: under the
+/// pressure 1e-4, save for what `unrest` says. All numbers that the criteria ask for follow from it directly.
 inline Packing almost_resting(const Unrest& unrest) {
-  Packing p = packing_of_graph(6, unrest.contacts ? clique(5) + clique(5) + clique(5) : Edges{});
+  const std::size_t spheres = 5 * unrest.groups;
+  Edges edges;
+  if (unrest.contacts)
+    for (std::uint32_t first = 0; first < spheres; first += 5) {
+      const Edges group = clique(5, first);
+      for (int axis = 0; axis < 3; ++axis) edges.insert(edges.end(), group.begin(), group.end());
+    }
+  Packing p = packing_of_graph(spheres + 1, edges);
   p.cell.edges.xx *= 1 + unrest.strain;
+  const auto groups = static_cast<double>(unrest.groups);
   const double pressure = story_pressure * (1 + unrest.stress_error);
-  const double force = pressure * p.cell.volume() / (10 * 0.9);
-  const double along = story_pressure * unrest.shear * p.cell.volume() / (10 * 0.9);
+  const double force = pressure * p.cell.volume() / (10 * 0.9 * groups);
+  const double along = story_pressure * unrest.shear * p.cell.volume() / (10 * 0.9 * groups);
   for (std::size_t n = 0; n < p.contacts.size(); ++n) {
     Contact& c = p.contacts[n];
-    c.branch = n < 10 ? Vec3<double>{0.9, 0, 0} : n < 20 ? Vec3<double>{0, 0.9, 0} : Vec3<double>{0, 0, 0.9};
+    const std::size_t axis = n % 30 / 10;
+    c.branch = axis == 0   ? Vec3<double>{0.9, 0, 0}
+               : axis == 1 ? Vec3<double>{0, 0.9, 0}
+                           : Vec3<double>{0, 0, 0.9};
     c.force = (force / 0.9) * c.branch;
-    if (n < 10) c.force.y += along;
-    if (n >= 10 && n < 20) c.force.x += along;
+    if (axis == 0) c.force.y += along;
+    if (axis == 1) c.force.x += along;
   }
   double mean_force = 0;
   for (const Contact& c : p.contacts) mean_force += norm(c.force) / static_cast<double>(p.contacts.size());
-  for (std::size_t k = 0; k < 5; ++k) {
+  for (std::size_t k = 0; k < spheres; ++k) {
     p.force[k] = {0, unrest.force_imbalance * mean_force, 0};
     p.spin[k] = {0, 0, std::sqrt(2 * unrest.kinetic_energy / (0.4 * 0.25))};  // a spin bears no stress
   }
-  p.spin[5] = {0, 0, std::sqrt(2 * unrest.rattler_energy / (0.4 * 0.25))};
+  p.spin[spheres] = {0, 0, std::sqrt(2 * unrest.rattler_energy / (0.4 * 0.25))};
   return p;
 }
 
