@@ -184,12 +184,14 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double rate = pace_of_a_core * threads;
   const double expected = expected_steps(c, n.particles);
   const auto seconds = [&](double steps) { return steps * n.particles / rate; };
+  const bool drawn = c.start.file.empty() && c.mixture.diameters.empty();
+  const double ten = std::pow(10, std::floor(std::log10(std::max(expected, 1.0))));
   out.report += fmt::format(
-      "time      about {} for {:.1g} steps, known within a factor of three; {} for the cap of {} steps; on "
-      "{} "
-      "thread{}\n",
-      duration_text(seconds(expected)), expected, duration_text(seconds(static_cast<double>(c.stop.steps))),
-      c.stop.steps, threads, threads == 1 ? "" : "s");
+      "time      about {} for {:.0f}e{:.0f} steps, {}; {} for the cap of {} steps; on {} thread{}\n",
+      duration_text(seconds(expected)), expected / ten, std::log10(ten),
+      drawn ? "known within a factor of three" : "a guess from equal spheres",
+      duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps, threads,
+      threads == 1 ? "" : "s");
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&

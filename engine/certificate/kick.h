@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,8 +34,9 @@ class Kick {
   std::vector<Vec3<double>> velocity_, spin_;  // of each particle, for a speed of 1
 };
 
-/// With this speed a sphere moves by a few hundredths of a diameter in a window of the default criteria of
-/// rest, and its energy is about that of a contact at p_a 1e-4 [d_s/time].
-inline constexpr double kick_speed = 1e-4;
+/// The speed of a kick at this pressure [k_n/d_s]: 1e-4 from a pressure of 1e-4 on, with which a sphere moves
+/// by a few hundredths of a diameter in a window of the default criteria of rest; below, it falls with the
+/// pressure, so that the energy of a small sphere is about that of a contact [d_s/time].
+inline double kick_speed(double pressure) { return std::min(pressure, 1e-4); }
 
 }  // namespace furnas

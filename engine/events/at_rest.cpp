@@ -130,7 +130,7 @@ std::string AtRest::saved() {
 void AtRest::restore(const std::string& saved) {
   if (saved.empty()) return;
   const bool read = Numbers(saved).take_all(done_, begun_, count_);
-  if (!read || done_ < 0 || begun_ < 0 || count_ < done_)
+  if (!read || done_ < 0 || done_ > watch_.criteria().final_quenches || begun_ < 0 || count_ < done_)
     throw InputError("a run remembers \"" + saved + "\" where it must remember its final quenches");
 }
 

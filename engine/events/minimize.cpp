@@ -11,7 +11,8 @@
 namespace furnas {
 namespace {
 
-/// Backbones with so many particles are left to the time steps for longer.
+/// Backbones with so many particles are left to the time steps for longer
+/// (docs/developer/decisions/minimizer.md).
 constexpr std::int64_t large = 1500;
 
 /// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy. In a large
@@ -49,7 +50,7 @@ bool Minimize::due(Observation& now) {
   }
   if (searching_) return true;
   const RestReport& r = watch_.look(now);
-  return now.step() >= not_before_ && has_found_its_basin(r, now.measures()) &&
+  return now.step() >= not_before_ && !r.resting && has_found_its_basin(r, now.measures()) &&
          !is_balanced(r, watch_.criteria());
 }
 

@@ -69,7 +69,8 @@ bool Settle::due(Observation& now) {
   const RestReport& r = watch_.look(now);
   const Measures& m = now.measures();
   record(now, r, m.phi);
-  if (now.step() % watch_.window_length() != 0) return false;
+  // A packing at rest that is still here waits for its final quenches.
+  if (now.step() % watch_.window_length() != 0 || r.resting) return false;
   const std::int64_t age = now.step() - loaded_at_;
   bound_ = RestReport::unknown;
   if (past_.empty() || age < least_age_ || !is_near_rest(r) || !quench_.steady()) return false;

@@ -230,6 +230,9 @@ TEST(Certify, HasNoMotionToSetGoingInAStablePacking) {
   const Answer other = packing.certify({"--kick", packing.path("kicked.vtp")});
   EXPECT_EQ(other.code, ExitCode::bad_case);
   EXPECT_THAT(other.err, HasSubstr("allowed: a name that ends in .toml"));
+  const Answer third = packing.certify({"--kick", packing.path("a.toml")});
+  EXPECT_EQ(third.code, ExitCode::bad_case);
+  EXPECT_THAT(third.err, HasSubstr("a.checkpoint exists and is not overwritten"));
 }
 
 // A packing whose sliding contacts let a motion grow e-fold in ten time units. Its run goes on from the kick

@@ -112,6 +112,21 @@ PackingSource told_source(const CertifyOptions& options) {
   return source;
 }
 
+/// The start of the case that --kick writes.
+std::filesystem::path start_beside(std::filesystem::path file) {
+  return file.replace_extension(".checkpoint");
+}
+
+/// Refuses a name for the files of --kick that cannot be used, before the long work.
+void check_kick(const std::filesystem::path& file) {
+  if (file.extension() != ".toml")
+    throw InputError("--kick " + file.string() + ": allowed: a name that ends in .toml");
+  for (const std::filesystem::path& written : {file, start_beside(file)})
+    if (std::filesystem::exists(written))
+      throw InputError("--kick: " + written.string() + " exists and is not overwritten; give another name");
+  make_folder_of(file);
+}
+
 /// Writes the packing with its unresisted motions set going as a checkpoint, and a case that starts from it.
 void write_kicked(PackingSource& source, const Certificate& certificate, double pressure,
                   const std::filesystem::path& file, Console console) {
@@ -123,18 +138,19 @@ void write_kicked(PackingSource& source, const Certificate& certificate, double 
     return;
   }
   constexpr std::int64_t quenches = 20;
-  certificate.kick.give(source.packing, kick_speed);
+  const double speed = kick_speed(pressure);
+  certificate.kick.give(source.packing, speed);
   Case c = *source.of_case;
   c.mixture = {};
   c.compaction.pressure = {pressure};
-  c.start.file = std::filesystem::path(file).replace_extension(".checkpoint").filename();
+  c.start.file = start_beside(file).filename();
+  c.stop.phi_error = 0;
   c.stop.final_quenches = std::max(c.stop.final_quenches, quenches);
-  make_folder_of(file);
-  write_checkpoint({source.packing, resolved_toml(c), {}}, file.parent_path() / c.start.file);
+  write_checkpoint({source.packing, resolved_toml(c), {}}, start_beside(file));
   write_file(file, resolved_toml(c));
   console.out << fmt::format(
       "\n{} motion{} set going, the fastest sphere of each with {:g} d_s/time\nto follow: furnas run {}\n",
-      motions, motions == 1 ? "" : "s", kick_speed, file.string());
+      motions, motions == 1 ? "" : "s", speed, file.string());
 }
 
 }  // namespace
@@ -168,8 +184,7 @@ Command certify_command() {
   };
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);
-    if (!options->kick.empty() && std::filesystem::path(options->kick).extension() != ".toml")
-      throw InputError("--kick " + options->kick + ": allowed: a name that ends in .toml");
+    if (!options->kick.empty()) check_kick(options->kick);
     PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);

@@ -252,7 +252,8 @@ TEST(AtRest, RefusesAMemoryThatIsNone) {
   at_rest.restore("2 11000 7");
   EXPECT_EQ(at_rest.saved(), "2 11000 7");
   EXPECT_EQ(at_rest.next(11'050), 11'100);
-  for (const char* saved : {"2", "2 11000", "2 11000 1", "-1 11000 7", "2 -1 7", "2 11000 7 ", " "})
+  for (const char* saved :
+       {"2", "2 11000", "2 11000 1", "-1 11000 7", "6 11000 7", "2 -1 7", "2 11000 7 ", " "})
     EXPECT_THROW(at_rest.restore(saved), InputError) << saved;
 }
 

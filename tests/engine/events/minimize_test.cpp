@@ -133,6 +133,26 @@ TEST(Minimize, BringsSpheresWithoutFrictionToRest) {
   EXPECT_EQ(other.evaluations, end.evaluations);
 }
 
+// A search that has spent 20 000 evaluations ends in a large packing and goes on in a small one.
+TEST(Minimize, EndsItsSearchOfALargePackingSooner) {
+  Protocol protocol = frictionless();
+  protocol.minimizer = false;
+  protocol.steps = 5000;
+  ProtocolRun run(protocol, spheres(50), 1);
+  run.begin();
+  run.go();
+  const auto goes_on = [&](std::int64_t backbone) {
+    RestWatch watch({}, story_rhythm);
+    watch.restore({.window = {}, .backbone = backbone});
+    Minimize minimize(watch, 1);
+    minimize.restore("20000 1 0.0001 20000 0");
+    minimize.fire(run.now());
+    return minimize.next(6000) == 6001;
+  };
+  EXPECT_TRUE(goes_on(1499));
+  EXPECT_FALSE(goes_on(1500));
+}
+
 // The energy that goes is booked to the last digit: what the balance misses does not change.
 TEST(Minimize, KeepsTheBalanceOfTheEnergy) {
   Protocol protocol = frictionless();
