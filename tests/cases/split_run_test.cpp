@@ -161,6 +161,28 @@ TEST(ReliableSplitRun, AVerdictIsFoundOnce) {
   EXPECT_EQ(difference(runs.path("whole"), runs.path("twice")), "");
 }
 
+/// Between any two of its final quenches a run may be stopped.
+TEST(ReliableSplitRun, IsTheSameBetweenItsFinalQuenches) {
+  const HastyRuns runs;
+  const std::vector<std::string> set{"compaction.pressure=2e-2", "stop.final_quenches=8"};
+  const auto with_cap = [&](std::int64_t steps) {
+    auto all = set;
+    all.push_back("stop.steps=" + std::to_string(steps));
+    return all;
+  };
+  ASSERT_EQ(runs.run("whole", with_cap(10'000)).code, ExitCode::done);
+  ASSERT_EQ(runs.run("plain", {"compaction.pressure=2e-2", "stop.steps=10_000"}).code, ExitCode::done);
+  const std::int64_t first = runs.result("plain")["steps"], last = runs.result("whole")["steps"];
+  ASSERT_GE(runs.result("whole")["quenches"], 8);
+  ASSERT_GT(last, first);
+  for (std::int64_t step = first - 1; step < last; step += std::max<std::int64_t>((last - first) / 9, 1)) {
+    ASSERT_EQ(runs.run("split", with_cap(step)).code, ExitCode::budget_spent) << step;
+    ASSERT_EQ(runs.resume("split", {"--steps", "10000"}).code, ExitCode::done) << step;
+    EXPECT_EQ(difference(runs.path("whole"), runs.path("split")), "") << step;
+    fs::remove_all(runs.path("split"));
+  }
+}
+
 /// Friction as in most runs, and a bound on phi that is soon small enough, though the cell is never as still
 /// as asked.
 constexpr const char* settling_case = R"([mixture]
