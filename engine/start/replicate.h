@@ -23,7 +23,7 @@ inline std::size_t copies_of(const Times& times) {
 template <class T>
 class Computed {
  public:
-  using value_type = T;
+  using value_type = T;  // NOLINT(readability-identifier-naming): as the containers of C++ name it
 
   Computed(std::size_t count, std::function<T(std::size_t)> element)
       : count_(count), element_(std::move(element)) {}
