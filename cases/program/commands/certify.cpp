@@ -146,8 +146,9 @@ void write_kicked(PackingSource& source, const Certificate& certificate, double 
   c.start.file = start_beside(file).filename();
   c.stop.phi_error = 0;
   c.stop.final_quenches = std::max(c.stop.final_quenches, quenches);
-  write_checkpoint({source.packing, resolved_toml(c), {}}, start_beside(file));
-  write_file(file, resolved_toml(c));
+  const std::string text = resolved_toml(c);
+  write_checkpoint({source.packing, text, {}}, start_beside(file));
+  write_file(file, text);
   console.out << fmt::format(
       "\n{} motion{} set going, the fastest sphere of each with {:g} d_s/time\nto follow: furnas run {}\n",
       motions, motions == 1 ? "" : "s", speed, file.string());
@@ -167,8 +168,8 @@ Command certify_command() {
             "folder for certificate.json and certificate.txt; default: that of the packing");
     app.add(
         "--kick", options->kick,
-        "write a case (.toml) and its start, the packing with the motions that no spring resists set going; "
-        "its run follows them to another state of rest");
+        "if a part fails: write a case (.toml) and its start, the packing with the motions that no spring "
+        "resists set going; its run follows them to another state of rest");
     app.add("--force-imbalance", options->force_imbalance,
             "largest mean |net force|/mean contact force; default: 1e-3, or the value in the case if that is "
             "larger")
