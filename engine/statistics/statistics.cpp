@@ -49,6 +49,25 @@ MeanInterval difference_interval(const std::vector<double>& a, const std::vector
   return d;
 }
 
+void PooledDeviation::add(const MeanInterval& group, double unit) {
+  require(unit > 0, "samples of a group scatter");
+  if (group.samples < 2) return;
+  const double deviation = group.deviation / unit;
+  square_ += static_cast<double>(group.samples - 1) * deviation * deviation;
+  degrees_ += group.samples - 1;
+}
+
+double PooledDeviation::value() const {
+  return degrees_ > 0 ? std::sqrt(square_ / static_cast<double>(degrees_)) : 0;
+}
+
+double PooledDeviation::half_width(std::size_t n, double unit, double confidence) const {
+  require(n > 0, "a mean needs a sample");
+  if (degrees_ == 0) return infinity;
+  return quantile(static_cast<double>(degrees_), confidence) * unit * value() /
+         std::sqrt(static_cast<double>(n));
+}
+
 MeanInterval value_at_zero(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
   require(x.size() == y.size(), "a sample of the line has an x and a y");
   const MeanInterval mx = mean_interval(x, confidence), my = mean_interval(y, confidence);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/program/figures/reach.h"
 #include "cases/program/figures/report.h"
 
 namespace furnas {
@@ -13,15 +14,11 @@ std::string text_of(const MeanInterval& m) {
   return m.samples > 1 ? fmt::format("{:.4f} ± {:.4f}", m.mean, m.half_width) : fmt::format("{:.4f}", m.mean);
 }
 
-/// Half of the interval of phi_J. For a single sample of at least 1000 large spheres it is twice the standard
-/// deviation of docs/results/verification.md. It is infinite for a single smaller sample, and for cells too
-/// thin.
-double reach_of(const Point& point) {
-  constexpr double scatter = 0.004;
-  constexpr std::int64_t many = 1000;
-  if (point.too_thin()) return std::numeric_limits<double>::infinity();
-  if (point.phi_J.size() > 1) return point.mean_phi_J->half_width;
-  return point.large >= many ? scatter : std::numeric_limits<double>::infinity();
+/// phi_J of a point; one or two samples have the interval of the pooled scatter.
+std::string text_of(const Point& point, const Reach& reach) {
+  return reach.pools(point) && std::isfinite(reach.of_phi_J(point))
+             ? fmt::format("{:.4f} ± {:.4f}, scatter pooled", point.mean_phi_J->mean, reach.of_phi_J(point))
+             : text_of(*point.mean_phi_J);
 }
 
 /// Whether a value, known +- reach, is positive; decided only where the whole interval has one sign.
@@ -46,25 +43,25 @@ Agreement all_of(const std::vector<Agreement>& parts) {
   return parts.empty() ? Agreement::not_reachable : Agreement::reproduced;
 }
 
-void compare(Statement& s, const Point& ours, double paper, double tolerance) {
-  s.ours = text_of(*ours.mean_phi_J);
+void compare(Statement& s, const Point& ours, const Reach& reach, double paper, double tolerance) {
+  s.ours = text_of(ours, reach);
   if (ours.too_thin()) s.ours += fmt::format(" (cells {} largest diameters thick)", thickness_text(ours));
   s.n = std::to_string(ours.phi_J.size());
-  s.agreement = near(ours.mean_phi_J->mean, reach_of(ours), paper, tolerance);
+  s.agreement = near(ours.mean_phi_J->mean, reach.of_phi_J(ours), paper, tolerance);
 }
 
 Statement begin(std::string what, std::string paper, std::string rule) {
   return {std::move(what), std::move(paper), "-", "0", Agreement::not_reachable, std::move(rule)};
 }
 
-Statement mono(const Study& study, double mu, double paper, double tolerance) {
+Statement mono(const Study& study, const Reach& reach, double mu, double paper, double tolerance) {
   Statement s = begin(fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
                       fmt::format("off by at most {} (1000 spheres) and half of the interval", tolerance));
-  if (const Point* point = study.mono_at(mu)) compare(s, *point, paper, tolerance);
+  if (const Point* point = study.mono_at(mu)) compare(s, *point, reach, paper, tolerance);
   return s;
 }
 
-Statement point(const Study& study, double alpha, double mu, double f, double paper) {
+Statement point(const Study& study, const Reach& reach, double alpha, double mu, double f, double paper) {
   constexpr double tolerance = 0.01, near = 0.0051;
   Statement s = begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f), fmt::format("{}", paper),
                       fmt::format("off by at most {} and half of the interval", tolerance));
@@ -73,7 +70,7 @@ Statement point(const Study& study, double alpha, double mu, double f, double pa
   const auto off = [f](const Point& p) { return std::abs(p.small_fraction - f); };
   const auto nearest = std::min_element(curve->points.begin(), curve->points.end(),
                                         [&](const Point& a, const Point& b) { return off(a) < off(b); });
-  if (nearest != curve->points.end() && off(*nearest) < near) compare(s, *nearest, paper, tolerance);
+  if (nearest != curve->points.end() && off(*nearest) < near) compare(s, *nearest, reach, paper, tolerance);
   return s;
 }
 
@@ -81,12 +78,13 @@ Statement point(const Study& study, double alpha, double mu, double f, double pa
 struct Highest {
   double friction;
   CurveMaximum maximum;
-  double reach;  ///< of phi_max, +-
+  std::string phi_max;  ///< with its interval
+  double reach;         ///< of phi_max, +-
   std::optional<FurnasInterval> model;
 };
 
 /// Leaves out a curve that is highest at one of its ends, because its maximum may lie beyond.
-std::vector<Highest> maxima_at(const Study& study, double alpha) {
+std::vector<Highest> maxima_at(const Study& study, const Reach& reach, double alpha) {
   std::vector<Highest> all;
   for (const double mu : study.frictions()) {
     const Curve* curve = study.curve(alpha, mu);
@@ -94,7 +92,7 @@ std::vector<Highest> maxima_at(const Study& study, double alpha) {
     if (!m) continue;
     for (std::size_t k = 1; k + 1 < curve->points.size(); ++k)
       if (const Point& p = curve->points[k]; p.small_fraction == m->at)
-        all.push_back({mu, *m, reach_of(p), study.model(mu)});
+        all.push_back({mu, *m, text_of(p, reach), reach.of_phi_J(p), study.model(mu)});
   }
   return all;
 }
@@ -109,19 +107,20 @@ double largest_ratio(const Study& study, Answers&& answers) {
 
 void append(std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; }
 
-Statement near_model(const Study& study) {
+Statement near_model(const Study& study, const Reach& reach) {
   constexpr double alpha = 20, share = 0.02;
   Statement s = begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
                       "each friction off by at most 2 % and half of the interval, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
-  const double largest = largest_ratio(study, [&](double ratio) { return !maxima_at(study, ratio).empty(); });
-  for (const Highest& h : maxima_at(study, largest)) {
+  const double largest =
+      largest_ratio(study, [&](double ratio) { return !maxima_at(study, reach, ratio).empty(); });
+  for (const Highest& h : maxima_at(study, reach, largest)) {
     if (!h.model) continue;
     const double model = h.model->middle().phi_max(), ours = h.maximum.phi_max.mean;
     append(text, fmt::format("α = {}, μ = {}: {:+.1f} % ({} against {:.4f})", largest, h.friction,
-                             100 * (ours / model - 1), text_of(h.maximum.phi_max), model));
+                             100 * (ours / model - 1), h.phi_max, model));
     n += h.maximum.phi_max.samples;
     parts.push_back(near(ours, h.reach, model, share * model));
   }
@@ -132,17 +131,17 @@ Statement near_model(const Study& study) {
   return s;
 }
 
-Statement small_ratio(const Study& study) {
+Statement small_ratio(const Study& study, const Reach& reach) {
   Statement s = begin("α = 2: φ_max far below the model, well above equal spheres", "figure 3a",
                       "between φ_mono and the model, apart from both by more than the intervals");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
-  for (const Highest& h : maxima_at(study, 2)) {
+  for (const Highest& h : maxima_at(study, reach, 2)) {
     if (!h.model) continue;
     const MeanInterval& ours = h.maximum.phi_max;
-    append(text, fmt::format("μ = {}: {:.4f} < {} < {:.4f}", h.friction, h.model->middle().mono,
-                             text_of(ours), h.model->middle().phi_max()));
+    append(text, fmt::format("μ = {}: {:.4f} < {} < {:.4f}", h.friction, h.model->middle().mono, h.phi_max,
+                             h.model->middle().phi_max()));
     n += ours.samples;
     parts.push_back(positive(ours.mean - h.model->phi(0).high, h.reach));
     parts.push_back(positive(h.model->phi_max().low - ours.mean, h.reach));
@@ -161,26 +160,47 @@ std::size_t ended_samples(const Curve& curve) {
   return n;
 }
 
-Statement f_max_rises(const Study& study) {
+/// The rise of f_max from the smallest to the largest friction that has a maximum.
+struct Rise {
+  Highest low, high;
+  double value() const { return high.maximum.f_max - low.maximum.f_max; }
+  double reach() const {
+    const auto half = [](const CurveMaximum& m) { return (m.f_max_high - m.f_max_low) / 2; };
+    return std::hypot(half(high.maximum), half(low.maximum));
+  }
+};
+
+/// None with fewer than two maxima.
+std::optional<Rise> rise_at(const Study& study, const Reach& reach, double alpha) {
+  const auto maxima = maxima_at(study, reach, alpha);
+  if (maxima.size() < 2) return {};
+  return Rise{maxima.front(), maxima.back()};
+}
+
+Statement f_max_rises(const Study& study, const Reach& reach) {
   constexpr double most = 0.03;
   Statement s = begin("f_max rises with μ, by up to 0.03", "0.03",
-                      "the rise at the largest α with two maxima is positive by more than its interval, "
-                      "which reaches below 0.03");
-  const double largest =
-      largest_ratio(study, [&](double ratio) { return maxima_at(study, ratio).size() > 1; });
-  const auto maxima = maxima_at(study, largest);
-  if (maxima.empty()) return s;
-  const CurveMaximum &low = maxima.front().maximum, &high = maxima.back().maximum;
-  const double rise = high.f_max - low.f_max;
-  const double reach =
-      std::hypot((high.f_max_high - high.f_max_low) / 2, (low.f_max_high - low.f_max_low) / 2);
+                      "the rise at the largest α at which it is known to ±0.03 (else: with two maxima) is "
+                      "positive by more than its interval, which reaches below 0.03");
+  const auto known_at = [&](double least) {
+    return largest_ratio(study, [&](double ratio) {
+      const auto rise = rise_at(study, reach, ratio);
+      return rise && rise->reach() <= least;
+    });
+  };
+  const double sharp = known_at(most);
+  const double alpha = sharp > 0 ? sharp : known_at(std::numeric_limits<double>::infinity());
+  const auto rise = rise_at(study, reach, alpha);
+  if (!rise) return s;
+  const CurveMaximum &low = rise->low.maximum, &high = rise->high.maximum;
   s.ours = fmt::format(
       "α = {}: {:.3f} ({:.3f} to {:.3f}) at μ = {}, {:.3f} ({:.3f} to {:.3f}) at μ = {}: {:+.3f} ± {:.3f}",
-      largest, low.f_max, low.f_max_low, low.f_max_high, maxima.front().friction, high.f_max, high.f_max_low,
-      high.f_max_high, maxima.back().friction, rise, reach);
-  s.n = std::to_string(ended_samples(*study.curve(largest, maxima.front().friction)) +
-                       ended_samples(*study.curve(largest, maxima.back().friction)));
-  s.agreement = rise - reach > most ? Agreement::not_reproduced : positive(rise, reach);
+      alpha, low.f_max, low.f_max_low, low.f_max_high, rise->low.friction, high.f_max, high.f_max_low,
+      high.f_max_high, rise->high.friction, rise->value(), rise->reach());
+  s.n = std::to_string(ended_samples(*study.curve(alpha, rise->low.friction)) +
+                       ended_samples(*study.curve(alpha, rise->high.friction)));
+  s.agreement = rise->value() - rise->reach() > most ? Agreement::not_reproduced
+                                                     : positive(rise->value(), rise->reach());
   return s;
 }
 
@@ -208,7 +228,7 @@ struct Sides {
   std::vector<Agreement> parts;
 };
 
-Sides sides_of(const Study& study, double size_ratio) {
+Sides sides_of(const Study& study, const Reach& reach, double size_ratio) {
   constexpr double nearly_all = 0.9, few = 0.25;
   Sides sides;
   for (const double mu : study.frictions()) {
@@ -220,14 +240,15 @@ Sides sides_of(const Study& study, double size_ratio) {
     for (const Point& p : curve->points) {
       const auto& share = p.small_rattlers[threshold];
       if (!share) continue;
+      const double off = reach.of_small_rattlers(p, threshold);
       sides.n += share->samples;
       if (p.small_fraction < model->f_max().low - 0.02) {
         left.add(share->mean);
-        sides.parts.push_back(positive(share->mean - nearly_all, share->half_width));
+        sides.parts.push_back(positive(share->mean - nearly_all, off));
       }
       if (p.small_fraction > model->f_max().high + 0.02) {
         right.add(share->mean);
-        sides.parts.push_back(positive(few - share->mean, share->half_width));
+        sides.parts.push_back(positive(few - share->mean, off));
       }
     }
     append(sides.text, fmt::format("μ = {}: {} below f_max, {} above", mu, left.text(), right.text()));
@@ -237,7 +258,7 @@ Sides sides_of(const Study& study, double size_ratio) {
   return sides;
 }
 
-Statement rattlers(const Study& study) {
+Statement rattlers(const Study& study, const Reach& reach) {
   constexpr double alpha = 20;
   Statement s =
       begin("α = 20: nearly all small spheres rattle below f_max, then a sharp fall to 0 (μ = 0) … 0.22",
@@ -245,10 +266,10 @@ Statement rattlers(const Study& study) {
             "above 0.9 below f_max, below 0.25 above it, at α = 20 or more; rattlers have fewer than 3 live "
             "contacts (μ = 0) or 2");
   const double largest = largest_ratio(study, [&](double ratio) {
-    const Sides sides = sides_of(study, ratio);
+    const Sides sides = sides_of(study, reach, ratio);
     return sides.below.any() && sides.above.any();
   });
-  const Sides sides = sides_of(study, largest);
+  const Sides sides = sides_of(study, reach, largest);
   if (sides.parts.empty()) return s;
   s.ours = fmt::format("α = {}: {}", largest, sides.text);
   s.n = std::to_string(sides.n);
@@ -297,11 +318,11 @@ bool spans_the_maximum(const Study& study, const Curve& curve) {
 
 /// Whether a point within a curve lies above both ends of the curve. A point above both by more than the
 /// intervals decides; without one, the highest point decides.
-Agreement has_maximum(const Curve& curve) {
+Agreement has_maximum(const Curve& curve, const Reach& reach) {
   const Point &first = curve.points.front(), &last = curve.points.back();
-  const auto above = [](const Point& inner, const Point& end) {
+  const auto above = [&reach](const Point& inner, const Point& end) {
     return positive(inner.mean_phi_J->mean - end.mean_phi_J->mean,
-                    std::hypot(reach_of(inner), reach_of(end)));
+                    std::hypot(reach.of_phi_J(inner), reach.of_phi_J(end)));
   };
   const auto above_the_ends = [&](const Point& inner) {
     return all_of({above(inner, first), above(inner, last)});
@@ -313,7 +334,7 @@ Agreement has_maximum(const Curve& curve) {
       begin, end, [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; }));
 }
 
-Statement rises_and_falls(const Study& study) {
+Statement rises_and_falls(const Study& study, const Reach& reach) {
   Statement s = begin("φ_J(f_s) rises to a maximum and falls again", "figures 2a, 2b",
                       "within each curve that reaches beyond the model's maximum a point lies above both of "
                       "its ends by more than the intervals");
@@ -322,7 +343,7 @@ Statement rises_and_falls(const Study& study) {
   std::vector<Agreement> parts;
   for (const Curve& curve : study.curves) {
     if (curve.points.size() < 3 || !spans_the_maximum(study, curve)) continue;
-    parts.push_back(has_maximum(curve));
+    parts.push_back(has_maximum(curve, reach));
     if (parts.back() != Agreement::reproduced)
       append(text, fmt::format("α = {}, μ = {}: {}", curve.size_ratio(), curve.friction(),
                                parts.back() == Agreement::not_reproduced ? "no maximum" : "cannot be told"));
@@ -341,18 +362,19 @@ std::vector<Statement> statements_of(const Study& study) {
   // Without friction phi_J of 1000 spheres is 0.002 below that of large samples; with friction phi_J depends
   // on the protocol by up to 0.01 (docs/results/verification.md).
   const Study thick = study.without_thin_cells();
-  return {mono(study, 0, 0.638, 0.004),
-          mono(study, 0.3, 0.588, 0.01),
-          rises_and_falls(thick),
+  const Reach reach(thick);
+  return {mono(study, reach, 0, 0.638, 0.004),
+          mono(study, reach, 0.3, 0.588, 0.01),
+          rises_and_falls(thick, reach),
           friction_lowers(thick),
-          point(study, 20, 0, 0.265, 0.869),
-          point(study, 40, 0, 0.265, 0.857),
-          point(study, 20, 0.3, 0.29, 0.823),
-          point(study, 40, 0.3, 0.292, 0.830),
-          near_model(thick),
-          small_ratio(thick),
-          f_max_rises(thick),
-          rattlers(thick)};
+          point(study, reach, 20, 0, 0.265, 0.869),
+          point(study, reach, 40, 0, 0.265, 0.857),
+          point(study, reach, 20, 0.3, 0.29, 0.823),
+          point(study, reach, 40, 0.3, 0.292, 0.830),
+          near_model(thick, reach),
+          small_ratio(thick, reach),
+          f_max_rises(thick, reach),
+          rattlers(thick, reach)};
 }
 
 }  // namespace furnas

@@ -55,7 +55,8 @@ void take_means(Point& point, const std::vector<const SampleRow*>& ended) {
     }
   }
   point.mean_phi_J = mean_of(point.phi_J);
-  if (point.mean_phi_J) point.mean_phi_J->half_width += bounds / static_cast<double>(ended.size());
+  if (!ended.empty()) point.phi_bound = bounds / static_cast<double>(ended.size());
+  if (point.mean_phi_J) point.mean_phi_J->half_width += point.phi_bound;
   point.mean_Z_backbone = mean_of(Z);
   for (std::size_t n = 0; n < 3; ++n) {
     point.large_rattlers[n] = mean_of(large[n]);

@@ -28,6 +28,8 @@ struct Point {
   std::vector<double> phi_J;                                ///< of the jammed and settled samples
   std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;  ///< none without such a sample
   std::array<std::optional<MeanInterval>, 3> large_rattlers, small_rattlers;  ///< shares, with z_min 2, 3, 4
+  double
+      phi_bound{};  ///< mean bound on a further change of phi, in the interval of phi_J; 0 for a jammed one
   /// Number of backbone spheres of all these samples together. Where the small spheres are rattlers only
   /// large spheres count.
   double effective_size{};

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cases/program/figures/reach.h"
 #include "cases/program/figures/report.h"
 #include "engine/base/require.h"
 #include "tests/cases/sweep/made_rows.h"
@@ -211,6 +212,59 @@ TEST(Statements, ALoneSampleCountsIfItIsLarge) {
   EXPECT_EQ(of_number({0.82}), Agreement::not_reachable);
   EXPECT_EQ(of_number({0.82}, 1000), Agreement::reproduced);
   EXPECT_EQ(of_number({0.76}, 1000), Agreement::not_reproduced);
+}
+
+/// A study with samples of size ratio 10 that scatter by +-`scatter` about the model, three a point, and with
+/// one sample of size ratio 20 near f_max.
+Study with_a_lone_sample(double scatter, double phi, std::int64_t large) {
+  Study study;
+  study.mono = {point(1, 0, 0.3, {0.588, 0.589, 0.590})};
+  Curve curve;
+  for (const double f : {0.28, 0.29, 0.30}) {
+    const double model = FurnasModel{0.589}.phi(f);
+    curve.points.push_back(point(10, f, 0.3, {model - scatter, model, model + scatter}));
+  }
+  study.curves = {curve, {{point(20, 0.29, 0.3, {phi}, large)}}};
+  return study;
+}
+
+TEST(Statements, ALoneSampleHasThePooledScatter) {
+  const auto of = [](double scatter, double phi, std::int64_t large) {
+    return about(statements_of(with_a_lone_sample(scatter, phi, large)), "α = 20, μ = 0.3, f_s = 0.29");
+  };
+  // 100 large spheres scatter by 0.002; six degrees of freedom, t(6) = 2.44691, 25 large spheres: twice as
+  // far.
+  const Statement s = of(0.002, 0.82, 25);
+  EXPECT_EQ(s.agreement, Agreement::reproduced);
+  EXPECT_EQ(s.ours, "0.8200 ± 0.0098, scatter pooled");
+  EXPECT_EQ(of(0.002, 0.80, 25).agreement, Agreement::not_reproduced);
+  EXPECT_EQ(of(0.002, 0.80, 6).agreement, Agreement::reproduced)
+      << "within the interval of six large spheres";
+  EXPECT_EQ(of(0.02, 0.82, 25).agreement, Agreement::not_reachable) << "the interval is too wide";
+}
+
+TEST(Reach, IsPooledOnOneSideOfTheMaximum) {
+  const Study study = with_a_lone_sample(0.002, 0.82, 25);
+  const Reach reach(study);
+  EXPECT_TRUE(reach.pools(point(20, 0.29, 0.3, {0.8})));
+  EXPECT_TRUE(reach.pools(point(20, 0.29, 0.3, {0.8, 0.9})));
+  EXPECT_FALSE(reach.pools(point(20, 0.29, 0.3, {0.8, 0.81, 0.82}))) << "three samples know their scatter";
+  EXPECT_FALSE(reach.pools(point(20, 0.2, 0.3, {0.8}))) << "no samples below f_max";
+  EXPECT_FALSE(reach.pools(point(20, 0.29, 0.1, {0.8}))) << "no model at this friction";
+  EXPECT_TRUE(std::isinf(reach.of_phi_J(point(20, 0.2, 0.3, {0.8}))));
+  Point settled = point(20, 0.29, 0.3, {0.8});
+  const double jammed = reach.of_phi_J(settled);
+  settled.phi_bound = 1e-3;
+  EXPECT_NEAR(reach.of_phi_J(settled), jammed + 1e-3, 1e-12);
+}
+
+/// The rise of f_max at a size ratio whose points are too few for an interval gives way to a smaller ratio.
+TEST(Statements, TheRiseOfFMaxIsReadWhereItIsKnown) {
+  SampleTable table = agreeing();
+  for (const char* f : {"0.1", "0.28", "0.5"})
+    for (const auto& [mu, mono] : {std::pair{"0.0", 0.637}, {"0.3", 0.589}})
+      table.rows.push_back(jammed_row("40.0", f, mu, 1, FurnasModel{mono}.phi(std::stod(f))));
+  EXPECT_THAT(about(statements_of(study_from(table)), "f_max rises").ours, HasSubstr("α = 20"));
 }
 
 Agreement of_curve(double first, double middle, double last, double scatter) {

@@ -342,8 +342,9 @@ TEST(NightlySweep, TheSmokeStudyMakesAllFigures) {
             40);
   Process draw({"figures", out});
   ASSERT_EQ(draw.wait().code, 0);
-  for (const char* name : {"figure_1b", "figure_2a", "figure_2b", "figure_3a", "figure_3b",
-                           "figure_4_alpha_2", "figure_4_alpha_3"})
+  for (const char* name :
+       {"figure_1b_history", "figure_2_friction_0", "figure_2_friction_0.3", "figure_3a_phi_max",
+        "figure_3b_f_max", "figure_4_rattlers_size_ratio_2", "figure_4_rattlers_size_ratio_3"})
     EXPECT_TRUE(fs::exists(out + "/figures/" + name + ".png")) << name;
 }
 
