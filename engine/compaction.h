@@ -42,6 +42,10 @@ class Observation {
   /// How often events have called replace() or stop_all_motion() since the run began.
   std::int64_t replaced() const { return replaced_; }
 
+  /// How often events have computed all forces, besides those of the steps, since this Observation began.
+  std::int64_t evaluations() const { return evaluations_; }
+  void count_evaluations(std::int64_t more) { evaluations_ += more; }
+
   /// The verdict of an event that has found a fault; `sentence` describes the fault.
   Verdict diverged(std::string sentence) {
     fault_ = std::move(sentence);
@@ -57,6 +61,7 @@ class Observation {
   int backbone_threshold_;
   std::int64_t taken_at_ = -1;
   std::int64_t replaced_;
+  std::int64_t evaluations_ = 0;
   std::string fault_;
   std::optional<Packing> packing_;
   std::optional<Measures> measures_;

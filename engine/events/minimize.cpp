@@ -11,9 +11,12 @@
 namespace furnas {
 namespace {
 
-/// Backbones with so many particles are left to the time steps for longer
-/// (docs/developer/decisions/minimizer.md).
-constexpr std::int64_t large = 1500;
+/// Whether the packing is left to the time steps for longer (docs/developer/decisions/minimizer.md): its
+/// backbone is large, or so many spheres touch that the small ones between a few large ones all but jam.
+bool is_large(const RestReport& r, const Measures& m) {
+  constexpr std::int64_t backbone = 1500, contacts = 20'000;
+  return r.backbone >= backbone || m.contacts >= contacts;
+}
 
 /// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy. In a large
 /// packing the forces must nearly balance, too.
@@ -22,7 +25,7 @@ bool has_found_its_basin(const RestReport& r, const Measures& m) {
   constexpr double motion = 0.05;  // kinetic energy/energy of the contacts
   constexpr double imbalance = 0.003;
   return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal &&
-         (r.backbone < large || r.force_imbalance < imbalance);
+         (!is_large(r, m) || r.force_imbalance < imbalance);
 }
 
 bool is_balanced(const RestReport& r, const RestCriteria& c) {
@@ -55,8 +58,8 @@ bool Minimize::due(Observation& now) {
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
-  const std::int64_t patience = watch_.report().backbone < large ? 50'000 : 20'000;  // evaluations
-  constexpr std::int64_t pause = 5;                                                  // windows
+  const std::int64_t patience = is_large(watch_.report(), now.measures()) ? 20'000 : 50'000;  // evaluations
+  constexpr std::int64_t pause = 5;                                                           // windows
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();
   const auto enthalpy_and_motion = [&] {
@@ -74,6 +77,7 @@ std::optional<Verdict> Minimize::fire(Observation& now) {
   now.replace(p);
   evaluations_ += report.evaluations;
   spent_ += report.evaluations;
+  now.count_evaluations(report.evaluations);
   const bool ended = report.reached || report.stuck;
   searching_ = !ended && spent_ < patience;
   if (!searching_) {

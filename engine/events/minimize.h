@@ -10,12 +10,12 @@ namespace furnas {
 ///
 /// The basin counts as found when the packing has a backbone, its stress is within 5 % of the bath's, and its
 /// kinetic energy is below 5 % of the energy of its contacts. Earlier the motion still compacts the packing.
-/// If the backbone has 1500 particles or more, the forces must also balance to 0.3 %: a large packing reaches
-/// its basin by many rearrangements, which happen side by side in time steps and one after the other in a
-/// search. The search takes out all motion and balances the forces to a part in 1e8. It is divided into many
-/// calls with one time step between them, so that the run can be saved and stopped. The ledger books the
-/// energy that is removed as quenched, and the work of the bath as cell work. The search gives no verdict:
-/// all criteria must hold over a window of the following steps.
+/// If the backbone has 1500 particles or more, or the packing 20 000 contacts or more, the forces must also
+/// balance to 0.3 %: a large packing reaches its basin by many rearrangements, which happen side by side in
+/// time steps and one after the other in a search. The search takes out all motion and balances the forces to
+/// a part in 1e8. It is divided into many calls with one time step between them, so that the run can be saved
+/// and stopped. The ledger books the energy that is removed as quenched, and the work of the bath as cell
+/// work. The search gives no verdict: all criteria must hold over a window of the following steps.
 ///
 /// A search that has found no minimum after 50 000 evaluations, or 20 000 in a large packing, is in a long
 /// flat valley of the enthalpy, where time steps descend as fast. Then no search is made for five windows.

@@ -36,11 +36,12 @@ std::string plain(std::string value) {
   return spelt(value);
 }
 
-/// The keys that the case of a sweep sets for all its samples and that bear on phi_J.
+/// The keys that the case of a sweep sets for all its samples and that bear on phi_J. stop.phi_error is not
+/// among them: the interval of a sample that it ended contains the bound on what more steps would change.
 Settings settings_of(const Case& c) {
   Settings settings;
   for (const Key& key : case_keys())
-    if (bears_on_phi_J(key)) settings[key.path()] = plain(value_text(key, c));
+    if (bears_on_phi_J(key) && key.path() != "stop.phi_error") settings[key.path()] = plain(value_text(key, c));
   return settings;
 }
 

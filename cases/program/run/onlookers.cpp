@@ -52,7 +52,8 @@ Onlookers onlookers_of(RunContext& run) {
   if (c.output.snapshot_every > 0 || c.output.snapshot_phi > 0)
     o.before_verdict.push_back(std::make_unique<RecordFrame>(
         run.folder, FrameRhythm{c.output.snapshot_every, c.output.snapshot_phi}));
-  o.after_verdict.push_back(std::make_unique<Progress>(run.lines, run.watch, run.first_step, c.stop.steps));
+  o.after_verdict.push_back(
+      std::make_unique<Progress>(run.lines, run.watch, run.first_step, c.stop.steps, run.requests.attention));
   o.after_verdict.push_back(std::make_unique<SaveCheckpoint>(run.save, c.output.checkpoint_minutes,
                                                              run.requests.save, run.requests.attention));
   if (run.deadline)

@@ -78,14 +78,30 @@ void LiveLines::clear() {
   shown_ = 0;
 }
 
-bool Progress::due(Observation& now) {
+Progress::Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step,
+                   std::atomic<bool>& attention)
+    : lines_(lines),
+      watch_(watch),
+      first_step_(first_step),
+      last_step_(last_step),
+      pause_(std::chrono::milliseconds(lines.live() ? 500 : 10'000)),
+      alarm_(attention) {
+  alarm_.set(start_ + pause_);
+}
+
+void Progress::look(Observation& now) {
+  if (now.step() % watch_.period() != 0 || now.step() == looked_) return;
+  looked_ = now.step();
   const Model& model = now.simulation().model();
   if (!forecast_) forecast_.emplace(watch_.criteria(), watch_.window_length(), !has_friction(model.law));
   if (model.barostat.pressure != pressure_) forecast_->clear();
   pressure_ = model.barostat.pressure;
   if (model.barostat.freedom != CellFreedom::fixed) forecast_->add(now.step(), watch_.report());
-  const double seconds = std::chrono::duration<double>(Clock::now() - shown_).count();
-  return seconds >= (lines_.live() ? 0.5 : 10.0);
+}
+
+bool Progress::due(Observation& now) {
+  look(now);
+  return Clock::now() - shown_ >= pause_;
 }
 
 std::string Progress::state(Observation& now, double seconds) const {
@@ -98,7 +114,8 @@ std::string Progress::state(Observation& now, double seconds) const {
   else
     text += fmt::format("p/p_a {:.4f}  ", m.pressure / model.barostat.pressure);
   text += fmt::format("{:.1f} Mps  ", rate * static_cast<double>(now.packing().size()) / 1e6);
-  return text + left_text(forecast_->left(), static_cast<double>(last_step_ - m.step), rate);
+  return text + left_text(forecast_ ? forecast_->left() : std::nullopt,
+                          static_cast<double>(last_step_ - m.step), rate);
 }
 
 /// Each criterion of rest, with its limit.
@@ -121,7 +138,8 @@ std::vector<std::string> Progress::criteria() const {
     const std::string text = fmt::format("{} {:.1e}", name, value);
     texts.push_back(value < limit
                         ? fmt::format("{} within {:.0e}", text, limit)
-                        : fmt::format("{}{}, needs {:.0e}", text, word(forecast_->trend(k)), limit));
+                        : fmt::format("{}{}, needs {:.0e}", text,
+                                      word(forecast_ ? forecast_->trend(k) : Trend::unknown), limit));
   }
   if (report.waiting_for == "the window") texts.emplace_back("all must stay so for a window of time");
   return texts;
@@ -129,10 +147,14 @@ std::vector<std::string> Progress::criteria() const {
 
 std::optional<Verdict> Progress::fire(Observation& now) {
   shown_ = Clock::now();
+  alarm_.set(shown_ + pause_);
   if (!explained_)
     lines_.say("Mps: million particle-steps a second; time left: from the trends of the criteria of rest");
   explained_ = true;
   std::vector<std::string> parts = criteria();
+  if (now.evaluations() > evaluations_)
+    parts.insert(parts.begin(), fmt::format("minimizing: {} evaluations of all forces", now.evaluations()));
+  evaluations_ = now.evaluations();
   parts.insert(parts.begin(), state(now, std::chrono::duration<double>(shown_ - start_).count()));
   lines_.show(parts);
   return {};

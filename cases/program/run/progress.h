@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/program/run/alarm.h"
 #include "cases/program/run/forecast.h"
 #include "engine/events/at_rest.h"
 
@@ -38,15 +39,18 @@ class Progress final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The budget of steps ends at `last_step`.
-  Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step)
-      : lines_(lines), watch_(watch), first_step_(first_step), last_step_(last_step) {}
+  /// The budget of steps ends at `last_step`. The event itself sets `attention` when a line is due.
+  Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step,
+           std::atomic<bool>& attention);
   const char* name() const override { return "progress"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
+  bool heeds_attention() const override { return true; }
   std::optional<Verdict> fire(Observation& now) override;
 
  private:
+  /// Adds the criteria of this step to the forecast; once a period, at steps that no clock determines.
+  void look(Observation& now);
   std::string state(Observation& now, double seconds) const;
   std::vector<std::string> criteria() const;
 
@@ -55,10 +59,14 @@ class Progress final : public Event {
   std::int64_t first_step_;
   std::int64_t last_step_;
   std::optional<Forecast> forecast_;
-  double pressure_ = 0;  ///< of the bath at the last observation
+  double pressure_ = 0;           ///< of the bath at the last observation
+  std::int64_t looked_ = -1;      ///< the last step in the forecast
+  std::int64_t evaluations_ = 0;  ///< by the minimizer, at the last line
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
+  Clock::duration pause_;  ///< between two lines
   bool explained_ = false;
+  Alarm alarm_;
 };
 
 /// "3 s", "12 min", "2.5 h", "3.1 d".

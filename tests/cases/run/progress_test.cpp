@@ -1,10 +1,16 @@
 #include "cases/program/run/progress.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <sstream>
+#include <thread>
+
+#include "tests/engine/events/resting_story.h"
 
 namespace furnas {
 namespace {
@@ -40,6 +46,31 @@ TEST(LiveLines, AreTakenAwayBeforeTheNext) {
   out.str("");
   lines.clear();
   EXPECT_EQ(out.str(), "");
+}
+
+/// A search for a minimum takes minutes between two steps in a large packing; lines tell how far it is.
+TEST(Progress, TellsOfTheMinimizerBetweenItsPeriods) {
+  RestingStory story([](std::int64_t) { return Unrest{}; });
+  std::ostringstream out;
+  LiveLines lines(out, true);  // a line every half second
+  std::atomic<bool> attention = false;
+  Progress progress(lines, story.watch, 0, 1000, attention);
+  ASSERT_TRUE(progress.heeds_attention());
+  story.simulation.advance(1, nullptr);
+  EXPECT_FALSE(progress.due(story.now)) << "the first half second is not over";
+  const auto wait = [&] {
+    for (int n = 0; n < 1000 && !attention; ++n) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(attention.exchange(false)) << "the event asks for attention when a line is due";
+  };
+  wait();
+  story.now.count_evaluations(7);
+  ASSERT_TRUE(progress.due(story.now));
+  progress.fire(story.now);
+  EXPECT_THAT(out.str(), testing::HasSubstr("minimizing: 7 evaluations"));
+  out.str("");
+  wait();
+  progress.fire(story.now);
+  EXPECT_THAT(out.str(), testing::Not(testing::HasSubstr("minimizing"))) << "the search is over";
 }
 
 }  // namespace

@@ -49,6 +49,13 @@ TEST(Minimize, WaitsForTheBalanceOfALargePacking) {
   EXPECT_TRUE(due({.force_imbalance = 0.0029, .groups = 300}));
 }
 
+// Five spheres carry the load, and many small ones between them touch: 30 contacts and those of the pairs.
+TEST(Minimize, WaitsForTheBalanceWhereManySpheresTouch) {
+  EXPECT_TRUE(due({.force_imbalance = 0.0031, .pairs = 19'969})) << "19 999 contacts";
+  EXPECT_FALSE(due({.force_imbalance = 0.0031, .pairs = 19'970})) << "20 000 contacts";
+  EXPECT_TRUE(due({.force_imbalance = 0.0029, .pairs = 19'970}));
+}
+
 TEST(Minimize, LeavesThePackingToTheStepsAfterASearch) {
   RestingStory story([](std::int64_t) { return Unrest{.force_imbalance = 0.05}; });
   Minimize minimize(story.watch);

@@ -19,6 +19,7 @@ struct Unrest {
   double strain = 0;          ///< of the edge along x
   bool contacts = true;
   std::size_t groups = 1;  ///< of five spheres in contact
+  std::size_t pairs = 0;   ///< of rattlers that touch with next to no force
 };
 
 inline constexpr double story_pressure = 1e-4;
@@ -36,13 +37,18 @@ inline Packing almost_resting(const Unrest& unrest) {
       const Edges group = clique(5, first);
       for (int axis = 0; axis < 3; ++axis) edges.insert(edges.end(), group.begin(), group.end());
     }
-  Packing p = packing_of_graph(spheres + 1, edges);
+  const std::size_t of_groups = edges.size();
+  for (std::size_t k = 0; k < unrest.pairs; ++k) {
+    const auto first = static_cast<std::uint32_t>(spheres + 1 + 2 * k);
+    edges.emplace_back(first, first + 1);
+  }
+  Packing p = packing_of_graph(spheres + 1 + 2 * unrest.pairs, edges);
   p.cell.edges.xx *= 1 + unrest.strain;
   const auto groups = static_cast<double>(unrest.groups);
   const double pressure = story_pressure * (1 + unrest.stress_error);
   const double force = pressure * p.cell.volume() / (10 * 0.9 * groups);
   const double along = story_pressure * unrest.shear * p.cell.volume() / (10 * 0.9 * groups);
-  for (std::size_t n = 0; n < p.contacts.size(); ++n) {
+  for (std::size_t n = 0; n < of_groups; ++n) {
     Contact& c = p.contacts[n];
     const std::size_t axis = n % 30 / 10;
     c.branch = axis == 0   ? Vec3<double>{0.9, 0, 0}
@@ -51,6 +57,10 @@ inline Packing almost_resting(const Unrest& unrest) {
     c.force = (force / 0.9) * c.branch;
     if (axis == 0) c.force.y += along;
     if (axis == 1) c.force.x += along;
+  }
+  for (std::size_t n = of_groups; n < p.contacts.size(); ++n) {
+    p.contacts[n].branch = {0.9, 0, 0};
+    p.contacts[n].force = {1e-12 * force, 0, 0};
   }
   double mean_force = 0;
   for (const Contact& c : p.contacts) mean_force += norm(c.force) / static_cast<double>(p.contacts.size());
