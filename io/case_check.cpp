@@ -63,8 +63,8 @@ std::optional<Conflict> conflict_of_small_cell(const Case& c) {
       "mixture.large",
       fmt::format(
           "mixture.large = {} makes a cell {:.1f} diameters of the smallest spheres wide when dense, too "
-          "small to jam; allowed: at least {:.0f}, and from {:.0f} on the cell is 3 largest diameters thick",
-          c.mixture.large, width, least, thick)};
+          "small to jam; allowed: at least {:.0f}, and from {:.0f} on the cell is {} largest diameters thick",
+          c.mixture.large, width, least, thick, least_thickness)};
 }
 
 std::optional<Conflict> conflict_of_start(const Case& c) {

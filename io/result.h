@@ -51,9 +51,10 @@ struct Result {
   std::optional<double> phi_J() const;
 };
 
-/// A cell thinner than this number of largest diameters is too thin: spheres share neighbours with their own
-/// images, and the cell does not stand for a large packing.
-inline constexpr double least_thickness = 3;
+/// A cell thinner than this number of largest diameters is too thin to stand for a large packing: a sphere
+/// has images of its own neighbours as neighbours, and may order in layers. From here on no shift of phi_J
+/// was measured (docs/developer/decisions/thin-cells.md).
+inline constexpr double least_thickness = 2.5;
 
 /// A remark for the user on a cell of this thickness; empty if it is thick enough.
 const char* remark_on_thickness(double diameters);

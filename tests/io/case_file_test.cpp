@@ -135,7 +135,7 @@ const std::vector<BadInput> bad_inputs = {
      {"case.toml:2:", "small_fraction = 0.1", "less than one small sphere"}},
     {"too small a cell",
      "[mixture]\nlarge = 2\n",
-     {"case.toml:2:", "mixture.large = 2", "too small to jam; allowed: at least 10, and from 40 on"}},
+     {"case.toml:2:", "mixture.large = 2", "too small to jam; allowed: at least 10, and from 23 on"}},
     {"listed and mixed",
      "[mixture]\nlarge = 50\ndiameters = \"a.txt\"\n",
      {"case.toml:3:", "mixture.diameters = \"a.txt\"", "leave one of them out"}},

@@ -90,9 +90,11 @@ further change, which widens the interval. Intervals are 95 % intervals of Stude
 *Scatter pooled*: a point of one or two samples has the interval of the scatter that the points of this study with more samples have, on the
 same side of f_max and at size ratios from 5 on; a sample with N_l large spheres scatters as N_l^(-1/2).
 *Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
-A cell thinner than 3 largest diameters does not stand for a large packing: its points are drawn with open symbols and are not used for any statement.
-
 )";
+  text += fmt::format(
+      "A cell thinner than {} largest diameters does not stand for a large packing: its points are drawn "
+      "with open symbols and are not used for any statement.\n\n",
+      least_thickness);
   for (const std::string& remark : study.remarks) text += remark + ".\n\n";
   text += statements_table(study);
   if (!study.mono.empty()) text += "\n## Equal spheres, and the model that follows\n\n" + mono_table(study);

@@ -158,7 +158,7 @@ TEST(Plots, SayWhatIsAllowed) {
 TEST(Plots, OpenSymbolsAreOfThinCells) {
   MadeSweeps made;
   SampleTable table = mixtures({"0.3"});
-  for (SampleRow& row : table.rows) row.thickness = row.small_fraction < 0.2 ? 2.5 : 4;
+  for (SampleRow& row : table.rows) row.thickness = row.small_fraction < 0.2 ? 2.4 : 4;
   const Plot plot = plot_of({.sweeps = {made.add(table)}, .y = "Z"});
   EXPECT_THAT(plot.chart.series.front().open, ElementsAre(true, false, false));
   EXPECT_THAT(plot.remarks, ElementsAre(HasSubstr("1 of 3 points")));

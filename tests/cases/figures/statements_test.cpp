@@ -186,15 +186,15 @@ TEST(Statements, AnIntervalThatHoldsNearlyAllAgreesWithNothing) {
 TEST(Statements, CellsTooThinDecideNothing) {
   SampleTable table = agreeing();
   for (SampleRow& row : table.rows)
-    if (row.size_ratio == 20) row.thickness = 2.9;
+    if (row.size_ratio == 20) row.thickness = 2.4;
   const Study study = study_from(table);
   const auto all = statements_of(study);
   for (const char* what : {"α = 20, μ = 0.3, f_s = 0.29", "within 2 %", "rattle below"})
     EXPECT_EQ(about(all, what).agreement, Agreement::not_reachable) << what;
-  EXPECT_THAT(about(all, "α = 20, μ = 0.3, f_s = 0.29").ours, HasSubstr("2.9 largest diameters thick"));
+  EXPECT_THAT(about(all, "α = 20, μ = 0.3, f_s = 0.29").ours, HasSubstr("2.4 largest diameters thick"));
   EXPECT_EQ(about(all, "α = 2: φ_max").agreement, Agreement::reproduced) << "of thicker cells";
   const auto figures = figures_of(study);
-  EXPECT_THAT(report(study, figures), HasSubstr("| 2.9, too thin |"));
+  EXPECT_THAT(report(study, figures), HasSubstr("| 2.4, too thin |"));
   std::size_t open = 0, filled = 0;
   for (const Series& s : figures.front().chart.series)
     for (std::size_t k = 0; k < s.open.size(); ++k) {

@@ -52,7 +52,7 @@ TEST(ThinCells, OfAListOfDiametersAreMeasuredByTheLargest) {
   SweepFile sweep{c, {{{{"contact.friction", {"0.1", "0.3"}}}, 1, "here"}}};
   EXPECT_EQ(keys_of(sweep), std::vector<std::string>{"contact.friction"});
   EXPECT_THAT(remark_on_thin_cells(samples_of(sweep, keys_of(sweep), "")),
-              HasSubstr("lists 18.7 times as long"));
+              HasSubstr("lists 10.8 times as long"));
 }
 
 TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
@@ -62,16 +62,16 @@ TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
   };
   EXPECT_THAT(remark({"100", "200"}), IsEmpty());
   EXPECT_THAT(remark({"10", "100"}), HasSubstr("at 1 of 2 points are too thin"));
-  // 10 large spheres and 67 small: 0.94 (pi/6 (270 + 67)/0.64)^(1/3)/3 = 2.04 thick; (3/2.04)^3 times as many
-  // make 3.
-  EXPECT_THAT(remark({"10"}), testing::AllOf(HasSubstr("down to 2.0"), HasSubstr("mixture.large = 32")));
+  // 10 large spheres and 67 small: 0.94 (pi/6 (270 + 67)/0.64)^(1/3)/3 = 2.04 thick; (2.5/2.04)^3 times as
+  // many make 2.5.
+  EXPECT_THAT(remark({"10"}), testing::AllOf(HasSubstr("down to 2.0"), HasSubstr("mixture.large = 19")));
   Case c;
   c.mixture.size_ratio = 3;
   c.mixture.small_fraction = 0.2;
-  c.mixture.large = 32;
-  EXPECT_GE(dense_thickness(c), 3);
-  c.mixture.large = 31;
-  EXPECT_LT(dense_thickness(c), 3);
+  c.mixture.large = 19;
+  EXPECT_GE(dense_thickness(c), 2.5);
+  c.mixture.large = 18;
+  EXPECT_LT(dense_thickness(c), 2.5);
 }
 
 }  // namespace

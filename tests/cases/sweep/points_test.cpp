@@ -89,14 +89,14 @@ TEST(SampleTable, ReadsAnyNumberOfTheNewerColumns) {
   EXPECT_THROW(read_sample_table(folder / ""), InputError) << "far too few";
 }
 
-TEST(Points, AreTooThinBelowThreeDiameters) {
+TEST(Points, AreTooThinBelowTwoAndAHalfDiameters) {
   SampleTable table = paper_table();
   table.rows = {jammed_row("5.0", "0.3", "0.1", 1, 0.7), jammed_row("5.0", "0.3", "0.1", 2, 0.7)};
-  for (SampleRow& row : table.rows) row.thickness = 3.2;
+  for (SampleRow& row : table.rows) row.thickness = 2.7;
   EXPECT_FALSE(points_of(table)[0].too_thin());
-  table.rows[1].thickness = 2.9;
+  table.rows[1].thickness = 2.4;
   EXPECT_TRUE(points_of(table)[0].too_thin()) << "the thinnest counts";
-  EXPECT_EQ(thickness_text(points_of(table)[0]), "2.9");
+  EXPECT_EQ(thickness_text(points_of(table)[0]), "2.4");
   table.rows[1] = spent_row("5.0", "0.3", "0.1", 2);
   table.rows[1].thickness = 1;
   EXPECT_FALSE(points_of(table)[0].too_thin()) << "only those that count in the mean";
