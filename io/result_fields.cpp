@@ -119,7 +119,7 @@ const ResultField fields[] = {
     {{"cell.xy", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.xy)},
     {{"cell.xz", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.xz)},
     {{"cell.yz", "d_s", "cell", "the same"}, FURNAS_MEASURE(m.cell.edges.yz)},
-    {{"thickness_in_largest_diameters", "", "cell", "least distance between opposite faces over the largest diameter; below 3 the cell does not stand for a large packing"}, FURNAS_FIELD(r.thickness())},
+    {{"thickness_in_largest_diameters", "", "cell", "least distance between opposite faces over the largest diameter; below 2.5 the cell does not stand for a large packing"}, FURNAS_FIELD(r.thickness())},
     {{"law", "", "run", "contact law"}, FURNAS_FIELD(c.contact.friction > 0 ? c.contact.law : c.contact.law + " without friction")},
     {{"friction", "", "run", "Coulomb's coefficient mu"}, FURNAS_FIELD(c.contact.friction)},
     {{"precision", "", "run", "compute.precision"}, FURNAS_FIELD(c.compute.precision)},

@@ -74,7 +74,7 @@ const PointColumn point_column_table[] = {
      [](const Point& p) -> Mean { return p.small_rattlers[2]; },
      "share of rattlers among the small spheres"},
     {{"thickness", "", "least of the samples",
-      "least distance between opposite faces of a cell, in diameters of the largest sphere; below 3 the "
+      "least distance between opposite faces of a cell, in diameters of the largest sphere; below 2.5 the "
       "point "
       "does not stand for a large packing; empty if not known"},
      [](const Point& p) { return std::isfinite(p.thickness) ? fmt::format("{:.3g}", p.thickness) : ""; }},
