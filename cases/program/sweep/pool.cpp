@@ -16,6 +16,7 @@
 #include "cases/program/memory_limit.h"
 #include "cases/program/preflight.h"
 #include "cases/program/run/folder_lock.h"
+#include "cases/program/run/recording.h"
 #include "cases/program/sweep/child.h"
 #include "cases/program/sweep/turn_folder.h"
 #include "engine/simulation.h"
@@ -70,14 +71,14 @@ struct Running {
   int turn;
   Child child;
   int threads;
-  Clock::time_point since = Clock::now();
+  double head_start;  ///< done by earlier turns [particle-steps]
 
   TurnFolder folder() const { return {*sample, turn}; }
 
-  /// Estimate of the part of its cost that is done [particle-steps].
-  double progress() const {
-    const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
-    return std::min(pace_of_a_core * threads * seconds, sample->cost());
+  /// What is done of it, by earlier turns, too [particle-steps]; `otherwise` before the first progress line.
+  double done(double otherwise) const {
+    const auto step = folder().last_step();
+    return step ? static_cast<double>(*step) * sample->particles : otherwise;
   }
 };
 
@@ -167,11 +168,16 @@ class Pool {
     s.left = waiting_.size() - elsewhere_;
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const double expected = pace_of_a_core * limits_.jobs;  // particle-steps a second
-    double left = cost_;
-    for (const Running& r : running_) left -= r.progress();
+    double left = cost_, gained = gained_;
+    for (const Running& r : running_) {
+      const double done = r.done(r.head_start);
+      left -= std::min(done, r.sample->cost());
+      gained += std::max(done - r.head_start, 0.0);
+      s.late += done > r.sample->cost();
+    }
     // The expected pace has the weight of a minute of measurement.
     constexpr double minute = 60;
-    const double pace = (all_ - left + minute * expected) / (seconds + minute);
+    const double pace = (gained + minute * expected) / (seconds + minute);
     s.seconds_left = std::max(left, 0.0) / pace;
     return s;
   }
@@ -275,7 +281,9 @@ class Pool {
         count_as_done(sample, 0);
         return Where::ended;
       }
-      running_.push_back({&sample, *turn, start(sample, folder, threads, time_left()), threads});
+      const double head_start =
+          static_cast<double>(Checkpoints::newest_step(folder.run()).value_or(0)) * sample.particles;
+      running_.push_back({&sample, *turn, start(sample, folder, threads, time_left()), threads, head_start});
     } catch (...) {
       if (turns_.end(key, *turn, Kind::left)) folder.publish();
       throw;
@@ -285,6 +293,7 @@ class Pool {
 
   void take_note(const Running& ended, int code) {
     const Sample& sample = *ended.sample;
+    gained_ += std::max(ended.done(sample.cost()) - ended.head_start, 0.0);
     const TurnFolder folder = ended.folder();
     // A process that SIGTERM ended while starting has nothing to save, and its sample has not failed.
     const bool asked = stopping_ && code == -SIGTERM;
@@ -322,6 +331,7 @@ class Pool {
   std::list<Running> running_;
   SweepStanding standing_;
   bool stopping_ = false;
+  double gained_ = 0;  ///< done by turns of this worker that have ended [particle-steps]
   double cost_ = 0,
          all_ = 0;  ///< cost of the samples not done now, and not done at the start [particle-steps]
   Clock::time_point begin_ = Clock::now();

@@ -18,7 +18,8 @@ struct SweepStanding {
   std::size_t running{};    ///< samples of this worker
   std::size_t elsewhere{};  ///< samples that other workers run
   std::size_t left{};       ///< not begun
-  double seconds_left{};    ///< estimate from the pace so far
+  std::size_t late{};       ///< running samples that have taken more steps than estimated
+  double seconds_left{};    ///< estimate from the pace so far; it leaves out the rest of late samples
 };
 
 /// How much of the machine and of the time a worker may use.

@@ -57,11 +57,13 @@ class Line {
     if (s.done == done_ && since < pause) return;
     shown_ = Clock::now();
     done_ = s.done;
-    out_ << fmt::format("{}{} of {} samples done{}  {} running{}  {} to come  about {} left{}",
+    out_ << fmt::format("{}{} of {} samples done{}  {} running{}  {} to come  about {} left{}{}",
                         live_ ? "\r" : "", s.done, s.done + s.running + s.elsewhere + s.left,
                         s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running,
                         s.elsewhere > 0 ? fmt::format("  {} elsewhere", s.elsewhere) : "", s.left,
-                        duration_text(s.seconds_left), live_ ? "\033[K" : "\n")
+                        duration_text(s.seconds_left),
+                        s.late > 0 ? fmt::format(", but for {} longer than estimated", s.late) : "",
+                        live_ ? "\033[K" : "\n")
          << std::flush;
   }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "cases/program/sweep/plan.h"
 
@@ -18,6 +20,9 @@ class TurnFolder {
   std::filesystem::path log() const { return path_ / "log"; }  ///< output of the run
   std::filesystem::path case_file() const { return path_ / "case.toml"; }
   bool exists() const;
+
+  /// The step of the last progress line in log(); empty before the first line.
+  std::optional<std::int64_t> last_step() const;
 
   /// Makes the folder. This changes the folder above, so that NFS asks the server for its present content
   /// instead of a remembered one. Throws OutputError.

@@ -54,6 +54,20 @@ TEST_F(TurnFolders, BeginEmptyWhereNothingWasSaved) {
   EXPECT_FALSE(fs::exists(turn(1).run()));
 }
 
+TEST_F(TurnFolders, TellTheStepOfTheLastProgressLine) {
+  turn(1).make();
+  EXPECT_FALSE(turn(1).last_step()) << "no log";
+  std::string log = "Mps: million particle-steps a second\n";
+  write_file(turn(1).log(), log);
+  EXPECT_FALSE(turn(1).last_step());
+  for (int step = 1000; step <= 50'000; step += 1000)
+    log += "step " + std::to_string(step) + "  phi 0.5  12 Mps   stress 2.0e-02 falls, needs 1e-03\n";
+  write_file(turn(1).log(), log);
+  EXPECT_EQ(turn(1).last_step(), 50'000) << "of a log longer than what is read of it";
+  write_file(turn(1).log(), log + "steps     50123 in 4 s\n");
+  EXPECT_EQ(turn(1).last_step(), 50'000) << "the lines of the verdict are no progress lines";
+}
+
 TEST_F(TurnFolders, DoNotSeeWhatALateWriterAdds) {
   leave_run(turn(1).run(), 300);
   std::ofstream late(turn(1).run() / "history.csv", std::ios::app);
