@@ -1,5 +1,6 @@
 #include "cases/program/output_page.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 
 #include "cases/program/sweep/points.h"
 #include "io/csv.h"
+#include "io/result.h"
 #include "tests/cases/sweep/made_rows.h"
 #include "tests/io/packings.h"
 
@@ -33,6 +35,15 @@ std::vector<std::string> header_of(const std::string& table, std::size_t keys) {
   read_csv_row(text, names);
   names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(keys));
   return names;
+}
+
+/// They warn of thin cells at the limit that the program has.
+TEST(OutputPage, NamesTheLimitOfThinCells) {
+  const std::string page = output_page();
+  const std::string limit = fmt::format("below {} the", least_thickness);
+  std::size_t times = 0;
+  for (std::size_t at = page.find(limit); at != page.npos; at = page.find(limit, at + 1)) ++times;
+  EXPECT_EQ(times, 3u) << "result.json, sweep.csv and points.csv";
 }
 
 TEST(OutputPage, HasTheColumnsOfSweeps) {

@@ -36,12 +36,15 @@ std::string plain(std::string value) {
   return spelt(value);
 }
 
-/// The keys that the case of a sweep sets for all its samples and that bear on phi_J. stop.phi_error is not
-/// among them: the interval of a sample that it ended contains the bound on what more steps would change.
+/// A key that may differ between samples that stand together: the interval of a sample that it ended contains
+/// the bound on what more steps would change.
+constexpr const char* length_of_a_run = "stop.phi_error";
+
+/// The keys that the case of a sweep sets for all its samples and that bear on phi_J.
 Settings settings_of(const Case& c) {
   Settings settings;
   for (const Key& key : case_keys())
-    if (bears_on_phi_J(key) && key.path() != "stop.phi_error") settings[key.path()] = plain(value_text(key, c));
+    if (bears_on_phi_J(key)) settings[key.path()] = plain(value_text(key, c));
   return settings;
 }
 
@@ -89,7 +92,8 @@ std::vector<std::string> keys_of(const std::vector<Known>& samples, const std::s
   for (const Key& key : case_keys()) {
     const std::string path = key.path();
     if (std::find(keys.begin(), keys.end(), path) != keys.end()) continue;
-    if (columns.contains(path) || values[path].size() > 1) keys.push_back(path);
+    const bool differs = path != length_of_a_run && values[path].size() > 1;
+    if (columns.contains(path) || differs) keys.push_back(path);
   }
   return keys;
 }
@@ -126,14 +130,21 @@ Gathered gather(const std::vector<fs::path>& folders) {
   }
   Gathered all;
   all.table.keys = keys_of(samples, columns);
-  std::set<std::tuple<std::vector<std::string>, std::int64_t, std::string, std::string>> seen;
   for (Known& sample : samples) {
-    SampleRow row = std::move(sample.row);
-    row.values.clear();
+    sample.row.values.clear();
     for (const std::string& key : all.table.keys) {
       const auto found = sample.settings.find(key);
-      row.values.push_back(found == sample.settings.end() ? "" : found->second);
+      sample.row.values.push_back(found == sample.settings.end() ? "" : found->second);
     }
+  }
+  // A run that has settled in one folder and was carried on to rest in another is one sample.
+  std::set<std::tuple<std::vector<std::string>, std::int64_t>> jammed;
+  for (const Known& sample : samples)
+    if (sample.row.jammed()) jammed.insert({sample.row.values, sample.row.seed});
+  std::set<std::tuple<std::vector<std::string>, std::int64_t, std::string, std::string>> seen;
+  for (Known& sample : samples) {
+    SampleRow& row = sample.row;
+    if (row.settled() && jammed.contains({row.values, row.seed})) continue;
     if (!seen.insert({row.values, row.seed, row.verdict, row.state_hash}).second) continue;
     all.table.rows.push_back(std::move(row));
     all.runs.push_back(std::move(sample.run));

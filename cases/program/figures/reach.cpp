@@ -9,22 +9,33 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t enough = 3;  // samples from which on a point knows its own scatter
 
+// Below this size ratio small spheres do not pass between three large ones that touch, or barely (6.46), and
+// do not become rattlers all at once.
+constexpr double least_ratio = 5;
+
 /// Scatter of a sample, as a multiple of that of a sample with one large sphere.
 double unit_of(const Point& point) { return 1 / std::sqrt(static_cast<double>(point.large)); }
+
+/// The f_max of a curve that is highest between its ends; else that of the model, if there is one.
+std::optional<double> f_max_of(const Study& study, const Curve& curve) {
+  const auto maximum = maximum_of(curve);
+  if (maximum && maximum->at > curve.points.front().small_fraction &&
+      maximum->at < curve.points.back().small_fraction)
+    return maximum->f_max;
+  const auto model = study.model(curve.friction());
+  return model ? std::optional(model->middle().f_max()) : std::nullopt;
+}
 
 }  // namespace
 
 Reach::Reach(const Study& study) {
-  // Below this size ratio small spheres do not pass between three large ones that touch, or barely (6.46),
-  // and do not become rattlers all at once.
-  constexpr double least_ratio = 5;
-  for (const Point& mono : study.mono) f_max_[mono.friction] = study.model(mono.friction)->middle().f_max();
   for (const Curve& curve : study.curves) {
     if (curve.size_ratio() < least_ratio) continue;
+    if (const auto f_max = f_max_of(study, curve)) f_max_[{curve.size_ratio(), curve.friction()}] = *f_max;
     for (const Point& point : curve.points) {
-      const auto where = side(point);
-      if (!where || point.large == 0) continue;
-      Scatter& scatter = scatters_[*where];
+      const auto kind = kind_of(point);
+      if (!kind || point.large == 0) continue;
+      Scatter& scatter = scatters_[*kind];
       scatter.phi_J.add(mean_interval(point.phi_J), unit_of(point));
       for (std::size_t k = 0; k < 3; ++k)
         if (point.small_rattlers[k]) scatter.small_rattlers[k].add(*point.small_rattlers[k], unit_of(point));
@@ -32,19 +43,19 @@ Reach::Reach(const Study& study) {
   }
 }
 
-std::optional<Reach::Side> Reach::side(const Point& point) const {
+std::optional<Reach::Kind> Reach::kind_of(const Point& point) const {
   constexpr double near = 0.03;
-  const auto found = f_max_.find(point.friction);
+  const auto found = f_max_.find({point.size_ratio, point.friction});
   if (found == f_max_.end()) return {};
   const double off = point.small_fraction - found->second;
-  return off < -near ? Side::below : off > near ? Side::above : Side::near;
+  return Kind{point.friction > 0, off < -near ? Side::below : off > near ? Side::above : Side::near};
 }
 
 const Reach::Scatter* Reach::scatter_of(const Point& point) const {
   constexpr std::size_t least_degrees = 5;
-  if (point.phi_J.size() >= enough || point.large == 0 || point.size_ratio == 1) return nullptr;
-  const auto where = side(point);
-  const auto found = where ? scatters_.find(*where) : scatters_.end();
+  if (point.phi_J.size() >= enough || point.large == 0) return nullptr;
+  const auto kind = kind_of(point);
+  const auto found = kind ? scatters_.find(*kind) : scatters_.end();
   return found != scatters_.end() && found->second.phi_J.degrees_of_freedom() >= least_degrees
              ? &found->second
              : nullptr;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 #include "cases/program/figures/study.h"
 
@@ -10,16 +11,18 @@ namespace furnas {
 /// How far the mean of a point may be from that of many large packings: half of its 95 % interval.
 ///
 /// From three samples on it is Student's interval of the samples. One or two samples tell next to nothing of
-/// their scatter. Theirs is pooled over the points of the study with two samples or more that have size ratio
-/// 5 or more and lie on the same side of the f_max of the model; the scatter of a sample is taken to fall
-/// with the number of large spheres, as N_l^-1/2 (docs/results/study.md, "The number of spheres").
+/// their scatter. At size ratios from 5 on theirs is pooled: over the points with two samples or more that
+/// have size ratio 5 or more, lie on the same side of f_max (below, near, above), and like the point have
+/// friction or none. The scatter of a sample is taken to fall with the number of large spheres, as N_l^-1/2.
+/// That was measured below f_max (docs/results/study.md, "The number of spheres"). Elsewhere it makes
+/// intervals wider, because the points with few samples have fewer large spheres.
 class Reach {
  public:
   explicit Reach(const Study& study);
 
-  /// Of phi_J. Infinite for a cell too thin, and for one or two samples if the study tells nothing of their
-  /// scatter; a single sample of 1000 large spheres or more then has twice the standard deviation of
-  /// docs/results/verification.md.
+  /// Of phi_J. Infinite for a cell too thin. Where the study tells nothing of the scatter it is Student's for
+  /// two samples; a single sample of 1000 large spheres or more has twice the standard deviation of
+  /// docs/results/verification.md, and a smaller one is infinite.
   double of_phi_J(const Point& point) const;
 
   /// Of the share of rattlers among the small spheres; `threshold` 0, 1, 2 is z_min 2, 3, 4.
@@ -34,12 +37,13 @@ class Reach {
     PooledDeviation phi_J;
     std::array<PooledDeviation, 3> small_rattlers;
   };
+  using Kind = std::pair<bool, Side>;  ///< whether there is friction; the side of f_max
 
-  std::optional<Side> side(const Point& point) const;   ///< none without a model
-  const Scatter* scatter_of(const Point& point) const;  ///< nullptr where the point has its own
+  std::optional<Kind> kind_of(const Point& point) const;  ///< none where f_max is not known
+  const Scatter* scatter_of(const Point& point) const;    ///< nullptr where nothing is pooled
 
-  std::map<double, double> f_max_;  // of the model, by friction
-  std::map<Side, Scatter> scatters_;
+  std::map<std::pair<double, double>, double> f_max_;  ///< by size ratio and friction
+  std::map<Kind, Scatter> scatters_;
 };
 
 }  // namespace furnas

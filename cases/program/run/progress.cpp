@@ -9,6 +9,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "engine/base/numbers.h"
+
 namespace furnas {
 namespace {
 
@@ -17,6 +19,9 @@ std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
+
+/// How a line begins.
+constexpr std::string_view begin_of_line = "step ";
 
 const char* word(Trend trend) {
   switch (trend) {
@@ -78,6 +83,13 @@ void LiveLines::clear() {
   shown_ = 0;
 }
 
+std::optional<std::int64_t> step_of_last_line(std::string_view output) {
+  const std::size_t line = output.rfind(fmt::format("\n{}", begin_of_line));
+  if (line == output.npos) return {};
+  const std::string_view number = output.substr(line + 1 + begin_of_line.size());
+  return number_in<std::int64_t>(std::string(number.substr(0, number.find(' '))));
+}
+
 Progress::Progress(LiveLines& lines, RestWatch& watch, std::int64_t first_step, std::int64_t last_step,
                    std::atomic<bool>& attention)
     : lines_(lines),
@@ -101,14 +113,15 @@ void Progress::look(Observation& now) {
 
 bool Progress::due(Observation& now) {
   look(now);
-  return Clock::now() - shown_ >= pause_;
+  const bool has_news = now.step() == looked_ || now.evaluations() > evaluations_;
+  return has_news && now.step() > first_step_ && Clock::now() - shown_ >= pause_;
 }
 
 std::string Progress::state(Observation& now, double seconds) const {
   const Measures& m = now.measures();
   const Model& model = now.simulation().model();
   const double rate = static_cast<double>(m.step - first_step_) / seconds;
-  std::string text = fmt::format("step {}  phi {:.5f}  ", m.step, m.phi);
+  std::string text = fmt::format("{}{}  phi {:.5f}  ", begin_of_line, m.step, m.phi);
   if (model.barostat.freedom == CellFreedom::fixed)
     text += fmt::format("p {:.3e}  ", m.pressure);
   else
@@ -146,17 +159,20 @@ std::vector<std::string> Progress::criteria() const {
 }
 
 std::optional<Verdict> Progress::fire(Observation& now) {
-  shown_ = Clock::now();
-  alarm_.set(shown_ + pause_);
+  const Clock::time_point begin = Clock::now();
   if (!explained_)
     lines_.say("Mps: million particle-steps a second; time left: from the trends of the criteria of rest");
   explained_ = true;
-  std::vector<std::string> parts = criteria();
-  if (now.evaluations() > evaluations_)
-    parts.insert(parts.begin(), fmt::format("minimizing: {} evaluations of all forces", now.evaluations()));
+  std::vector<std::string> parts{state(now, std::chrono::duration<double>(begin - start_).count())};
+  if (const auto more = now.evaluations() - evaluations_; more > 0)
+    parts.push_back(fmt::format("minimizing: {} evaluations since the last line", more));
   evaluations_ = now.evaluations();
-  parts.insert(parts.begin(), state(now, std::chrono::duration<double>(shown_ - start_).count()));
+  if (now.step() == looked_)
+    for (std::string& criterion : criteria()) parts.push_back(std::move(criterion));
   lines_.show(parts);
+  shown_ = Clock::now();
+  pause_ = std::max(pause_, 20 * (shown_ - begin));
+  alarm_.set(shown_ + pause_);
   return {};
 }
 

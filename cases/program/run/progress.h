@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/program/run/alarm.h"
@@ -33,8 +34,12 @@ class LiveLines {
   std::size_t shown_ = 0;  ///< lines on the terminal now
 };
 
+/// The step of the last line of Progress in an output that is no terminal; empty before the first line.
+std::optional<std::int64_t> step_of_last_line(std::string_view output);
+
 /// Shows the progress of a run: its state, the estimated time left, and the criteria of rest with their
-/// limits.
+/// limits. A line appears where the criteria are evaluated, and while the minimizer works, which may take
+/// minutes from one such step to the next.
 class Progress final : public Event {
  public:
   using Clock = std::chrono::steady_clock;
@@ -59,12 +64,12 @@ class Progress final : public Event {
   std::int64_t first_step_;
   std::int64_t last_step_;
   std::optional<Forecast> forecast_;
-  double pressure_ = 0;           ///< of the bath at the last observation
+  double pressure_ = 0;           ///< of the bath at the last look
   std::int64_t looked_ = -1;      ///< the last step in the forecast
   std::int64_t evaluations_ = 0;  ///< by the minimizer, at the last line
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_ = start_;
-  Clock::duration pause_;  ///< between two lines
+  Clock::duration pause_;  ///< between two lines; long enough that lines take a twentieth of the time
   bool explained_ = false;
   Alarm alarm_;
 };

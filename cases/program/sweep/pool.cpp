@@ -71,14 +71,13 @@ struct Running {
   int turn;
   Child child;
   int threads;
-  double head_start;  ///< done by earlier turns [particle-steps]
+  double head_start;         ///< done by earlier turns [particle-steps]
+  double done = head_start;  ///< by all turns up to the last look [particle-steps]
 
   TurnFolder folder() const { return {*sample, turn}; }
 
-  /// What is done of it, by earlier turns, too [particle-steps]; `otherwise` before the first progress line.
-  double done(double otherwise) const {
-    const auto step = folder().last_step();
-    return step ? static_cast<double>(*step) * sample->particles : otherwise;
+  void look() {
+    if (const auto step = folder().last_step()) done = static_cast<double>(*step) * sample->particles;
   }
 };
 
@@ -135,6 +134,7 @@ class Pool {
     if (Clock::now() < next_look_) return;
     next_look_ = Clock::now() + pause_;
     turns_.look();
+    for (Running& r : running_) r.look();
     lives_.clear();
     drop_lost();
     elsewhere_ = 0;
@@ -168,12 +168,12 @@ class Pool {
     s.left = waiting_.size() - elsewhere_;
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const double expected = pace_of_a_core * limits_.jobs;  // particle-steps a second
-    double left = cost_, gained = gained_;
+    double left = cost_, gained = all_ - cost_ - head_starts_;
     for (const Running& r : running_) {
-      const double done = r.done(r.head_start);
-      left -= std::min(done, r.sample->cost());
-      gained += std::max(done - r.head_start, 0.0);
-      s.late += done > r.sample->cost();
+      const double cost = r.sample->cost();
+      left -= std::min(r.done, cost);
+      gained += std::max(std::min(r.done, cost) - r.head_start, 0.0);
+      s.late += r.done > cost;
     }
     // The expected pace has the weight of a minute of measurement.
     constexpr double minute = 60;
@@ -293,7 +293,6 @@ class Pool {
 
   void take_note(const Running& ended, int code) {
     const Sample& sample = *ended.sample;
-    gained_ += std::max(ended.done(sample.cost()) - ended.head_start, 0.0);
     const TurnFolder folder = ended.folder();
     // A process that SIGTERM ended while starting has nothing to save, and its sample has not failed.
     const bool asked = stopping_ && code == -SIGTERM;
@@ -306,10 +305,12 @@ class Pool {
     const bool ours =
         turns_.end(turns_.key_of(sample.folder), ended.turn, saved ? Kind::left : Kind::done, code);
     if (ours) folder.publish();
-    if (!ours || out_of_time)
+    if (!ours || out_of_time) {
       waiting_.push_back(&sample);
-    else
+    } else {
+      head_starts_ += ended.head_start;
       count_as_done(sample, code);
+    }
   }
 
   void count_as_done(const Sample& sample, int code) {
@@ -331,7 +332,7 @@ class Pool {
   std::list<Running> running_;
   SweepStanding standing_;
   bool stopping_ = false;
-  double gained_ = 0;  ///< done by turns of this worker that have ended [particle-steps]
+  double head_starts_ = 0;  ///< of the samples that have ended here [particle-steps]
   double cost_ = 0,
          all_ = 0;  ///< cost of the samples not done now, and not done at the start [particle-steps]
   Clock::time_point begin_ = Clock::now();

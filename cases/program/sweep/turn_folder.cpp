@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cases/program/run/folder_lock.h"
+#include "cases/program/run/progress.h"
 #include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
 #include "engine/base/numbers.h"
@@ -79,16 +80,11 @@ bool TurnFolder::exists() const { return fs::exists(path_); }
 
 std::optional<std::int64_t> TurnFolder::last_step() const {
   constexpr std::int64_t tail = 4096;  // longer than a few progress lines
-  constexpr std::string_view begin = "\nstep ";
   std::error_code none;
   const auto size = static_cast<std::int64_t>(fs::file_size(log(), none));
   std::ifstream file(log(), std::ios::binary);
   if (none || !file.seekg(std::max<std::int64_t>(size - tail, 0))) return {};
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::size_t line = text.rfind(begin);
-  if (line == text.npos) return {};
-  const std::size_t number = line + begin.size();
-  return number_in<std::int64_t>(text.substr(number, text.find(' ', number) - number));
+  return step_of_last_line(std::string{std::istreambuf_iterator<char>(file), {}});
 }
 
 void TurnFolder::make() const { make_folder(path_); }

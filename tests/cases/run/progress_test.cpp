@@ -54,23 +54,45 @@ TEST(Progress, TellsOfTheMinimizerBetweenItsPeriods) {
   std::ostringstream out;
   LiveLines lines(out, true);  // a line every half second
   std::atomic<bool> attention = false;
-  Progress progress(lines, story.watch, 0, 1000, attention);
+  Progress progress(lines, story.watch, 0, 100'000, attention);
   ASSERT_TRUE(progress.heeds_attention());
-  story.simulation.advance(1, nullptr);
-  EXPECT_FALSE(progress.due(story.now)) << "the first half second is not over";
   const auto wait = [&] {
     for (int n = 0; n < 1000 && !attention; ++n) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_TRUE(attention.exchange(false)) << "the event asks for attention when a line is due";
   };
   wait();
+  EXPECT_FALSE(progress.due(story.now)) << "at the first step there is no rate yet";
+  story.simulation.advance(1, nullptr);
+  EXPECT_FALSE(progress.due(story.now)) << "between two looks there is no news";
   story.now.count_evaluations(7);
   ASSERT_TRUE(progress.due(story.now));
   progress.fire(story.now);
   EXPECT_THAT(out.str(), testing::HasSubstr("minimizing: 7 evaluations"));
+  EXPECT_THAT(out.str(), testing::Not(testing::HasSubstr("balance"))) << "the criteria are those of a look";
   out.str("");
   wait();
+  EXPECT_FALSE(progress.due(story.now));
+  story.simulation.advance(story.watch.period() - 1, nullptr);
+  story.watch.look(story.now);
+  ASSERT_TRUE(progress.due(story.now));
   progress.fire(story.now);
   EXPECT_THAT(out.str(), testing::Not(testing::HasSubstr("minimizing"))) << "the search is over";
+  EXPECT_THAT(out.str(), testing::HasSubstr("balance"));
+}
+
+TEST(Progress, TellsItsStepToThoseWhoReadItsLines) {
+  RestingStory story([](std::int64_t) { return Unrest{}; });
+  std::ostringstream out;
+  LiveLines lines(out, false);
+  std::atomic<bool> attention = false;
+  Progress progress(lines, story.watch, 0, 100'000, attention);
+  EXPECT_FALSE(step_of_last_line(out.str()));
+  for (int n = 1; n <= 2; ++n) {
+    story.simulation.advance(story.watch.period(), nullptr);
+    story.watch.look(story.now);
+    progress.fire(story.now);
+    EXPECT_EQ(step_of_last_line(out.str()), n * story.watch.period());
+  }
 }
 
 }  // namespace
