@@ -17,7 +17,7 @@ std::string text_of(const MeanInterval& m) {
 /// phi_J of a point; one or two samples have the interval of the pooled scatter.
 std::string text_of(const Point& point, const Reach& reach) {
   return reach.pools(point) && std::isfinite(reach.of_phi_J(point))
-             ? fmt::format("{:.4f} ± {:.4f}, scatter pooled", point.mean_phi_J->mean, reach.of_phi_J(point))
+             ? fmt::format("{:.4f} ± {:.4f} by pooled scatter", point.mean_phi_J->mean, reach.of_phi_J(point))
              : text_of(*point.mean_phi_J);
 }
 

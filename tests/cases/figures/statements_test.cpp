@@ -236,7 +236,7 @@ TEST(Statements, ALoneSampleHasThePooledScatter) {
   // far.
   const Statement s = of(0.002, 0.82, 25);
   EXPECT_EQ(s.agreement, Agreement::reproduced);
-  EXPECT_EQ(s.ours, "0.8200 ± 0.0098, scatter pooled");
+  EXPECT_EQ(s.ours, "0.8200 ± 0.0098 by pooled scatter");
   EXPECT_EQ(of(0.002, 0.80, 25).agreement, Agreement::not_reproduced);
   EXPECT_EQ(of(0.002, 0.80, 6).agreement, Agreement::reproduced)
       << "within the interval of six large spheres";
