@@ -35,14 +35,16 @@ class TwoSweeps : public testing::Test {
     write_file(folder_ / name / base_case_name, "[mixture]\nlarge = 100\n[stop]\n" + stop + "\n");
   }
   std::vector<fs::path> both() const { return {folder_ / "a", folder_ / "b"}; }
+  SampleTable second() const { return read_sample_table(folder_ / "b"); }
 
-  const TemporaryFolder folder_;
+ private:
+  TemporaryFolder folder_;
 };
 
 TEST_F(TwoSweeps, StandTogetherIfOnlyTheLengthOfARunDiffers) {
   EXPECT_TRUE(gather(both()).varying().empty() || gather(both()).varying().front().key != "stop.phi_error");
   EXPECT_NO_THROW(study_of(both()));
-  write("b", read_sample_table(folder_ / "b"), "force_imbalance = 1e-3");
+  write("b", second(), "force_imbalance = 1e-3");
   EXPECT_THROW(study_of(both()), InputError) << "another condition of rest";
 }
 

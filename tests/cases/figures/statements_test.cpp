@@ -86,8 +86,8 @@ TEST(Studies, CountARunInTwoFoldersOnce) {
 
 TEST(Studies, RefuseKeysThatThePaperDoesNotVary) {
   SampleTable table = agreeing();
-  table.keys.push_back("compaction.pressure");
-  for (SampleRow& row : table.rows) row.values.push_back("1e-4");
+  table.keys.emplace_back("compaction.pressure");
+  for (SampleRow& row : table.rows) row.values.emplace_back("1e-4");
   EXPECT_NO_THROW(study_from(table));
   table.rows.back().values.back() = "1e-3";
   EXPECT_THROW(study_from(table), InputError);
