@@ -13,9 +13,10 @@ namespace {
 
 /// Whether the packing is left to the time steps for longer (docs/developer/decisions/minimizer.md): its
 /// backbone is large, or so many spheres touch that the small ones between a few large ones all but jam.
-bool is_large(const RestReport& r, const Measures& m) {
-  constexpr std::int64_t backbone = 1500, contacts = 20'000;
-  return r.backbone >= backbone || m.contacts >= contacts;
+bool is_large(std::int64_t backbone, std::size_t contacts) {
+  constexpr std::int64_t large_backbone = 1500;
+  constexpr std::size_t many_contacts = 20'000;
+  return backbone >= large_backbone || contacts >= many_contacts;
 }
 
 /// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy. In a large
@@ -25,7 +26,7 @@ bool has_found_its_basin(const RestReport& r, const Measures& m) {
   constexpr double motion = 0.05;  // kinetic energy/energy of the contacts
   constexpr double imbalance = 0.003;
   return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal &&
-         (!is_large(r, m) || r.force_imbalance < imbalance);
+         (!is_large(r.backbone, static_cast<std::size_t>(m.contacts)) || r.force_imbalance < imbalance);
 }
 
 bool is_balanced(const RestReport& r, const RestCriteria& c) {
@@ -58,10 +59,11 @@ bool Minimize::due(Observation& now) {
 }
 
 std::optional<Verdict> Minimize::fire(Observation& now) {
-  const std::int64_t patience = is_large(watch_.report(), now.measures()) ? 20'000 : 50'000;  // evaluations
-  constexpr std::int64_t pause = 5;                                                           // windows
+  constexpr std::int64_t pause = 5;  // windows
   const Model& model = now.simulation().model();
   Packing p = now.take_packing();
+  const bool large = is_large(watch_.report().backbone, p.contacts.size());
+  const std::int64_t patience = large ? 20'000 : 50'000;  // evaluations
   const auto enthalpy_and_motion = [&] {
     return energy(p, model.law).total() + model.barostat.pressure * p.cell.volume();
   };

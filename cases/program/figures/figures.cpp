@@ -188,10 +188,9 @@ void add_maxima(const Study& study, std::vector<Figure>& figures) {
       const Curve* curve = study.curve(ratios[n], mu);
       const auto m = curve ? maximum_of(*curve) : std::nullopt;
       if (!m) continue;
-      const auto highest = std::find_if(curve->points.begin(), curve->points.end(),
-                                        [&](const Point& p) { return p.small_fraction == m->at; });
-      add(of_phi, mu, m->phi_max, highest->too_thin());
-      add(of_f, mu, Interval{m->f_max, m->f_max_low, m->f_max_high}, highest->too_thin());
+      const bool thin = curve->points[m->place].too_thin();
+      add(of_phi, mu, m->phi_max, thin);
+      add(of_f, mu, Interval{m->f_max, m->f_max_low, m->f_max_high}, thin);
     }
     if (of_phi.x.empty()) continue;
     phi.series.push_back(std::move(of_phi));

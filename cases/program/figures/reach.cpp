@@ -19,9 +19,7 @@ double unit_of(const Point& point) { return 1 / std::sqrt(static_cast<double>(po
 /// The f_max of a curve that is highest between its ends; else that of the model, if there is one.
 std::optional<double> f_max_of(const Study& study, const Curve& curve) {
   const auto maximum = maximum_of(curve);
-  if (maximum && maximum->at > curve.points.front().small_fraction &&
-      maximum->at < curve.points.back().small_fraction)
-    return maximum->f_max;
+  if (maximum && maximum->inside) return maximum->f_max;
   const auto model = study.model(curve.friction());
   return model ? std::optional(model->middle().f_max()) : std::nullopt;
 }
@@ -61,7 +59,7 @@ const Reach::Scatter* Reach::scatter_of(const Point& point) const {
              : nullptr;
 }
 
-bool Reach::pools(const Point& point) const { return scatter_of(point) != nullptr; }
+bool Reach::pools(const Point& point) const { return !point.too_thin() && scatter_of(point) != nullptr; }
 
 double Reach::of_phi_J(const Point& point) const {
   constexpr double scatter_of_large = 0.004;

@@ -28,7 +28,7 @@ class Reach {
   /// Of the share of rattlers among the small spheres; `threshold` 0, 1, 2 is z_min 2, 3, 4.
   double of_small_rattlers(const Point& point, std::size_t threshold) const;
 
-  /// Whether the scatter of the point is a pooled one.
+  /// Whether of_phi_J() follows from a pooled scatter.
   bool pools(const Point& point) const;
 
  private:

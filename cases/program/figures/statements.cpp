@@ -16,7 +16,7 @@ std::string text_of(const MeanInterval& m) {
 
 /// phi_J of a point; one or two samples have the interval of the pooled scatter.
 std::string text_of(const Point& point, const Reach& reach) {
-  return reach.pools(point) && std::isfinite(reach.of_phi_J(point))
+  return reach.pools(point)
              ? fmt::format("{:.4f} ± {:.4f} by pooled scatter", point.mean_phi_J->mean, reach.of_phi_J(point))
              : text_of(*point.mean_phi_J);
 }
@@ -89,10 +89,9 @@ std::vector<Highest> maxima_at(const Study& study, const Reach& reach, double al
   for (const double mu : study.frictions()) {
     const Curve* curve = study.curve(alpha, mu);
     const auto m = curve != nullptr ? maximum_of(*curve) : std::nullopt;
-    if (!m) continue;
-    for (std::size_t k = 1; k + 1 < curve->points.size(); ++k)
-      if (const Point& p = curve->points[k]; p.small_fraction == m->at)
-        all.push_back({mu, *m, text_of(p, reach), reach.of_phi_J(p), study.model(mu)});
+    if (!m || !m->inside) continue;
+    const Point& p = curve->points[m->place];
+    all.push_back({mu, *m, text_of(p, reach), reach.of_phi_J(p), study.model(mu)});
   }
   return all;
 }

@@ -131,7 +131,7 @@ std::string Progress::state(Observation& now, double seconds) const {
                           static_cast<double>(last_step_ - m.step), rate);
 }
 
-/// Each criterion of rest, with its limit.
+/// Each criterion of rest, with its limit; after a look.
 std::vector<std::string> Progress::criteria() const {
   const RestReport& report = watch_.report();
   const RestCriteria& limits = watch_.criteria();
@@ -151,8 +151,7 @@ std::vector<std::string> Progress::criteria() const {
     const std::string text = fmt::format("{} {:.1e}", name, value);
     texts.push_back(value < limit
                         ? fmt::format("{} within {:.0e}", text, limit)
-                        : fmt::format("{}{}, needs {:.0e}", text,
-                                      word(forecast_ ? forecast_->trend(k) : Trend::unknown), limit));
+                        : fmt::format("{}{}, needs {:.0e}", text, word(forecast_->trend(k)), limit));
   }
   if (report.waiting_for == "the window") texts.emplace_back("all must stay so for a window of time");
   return texts;

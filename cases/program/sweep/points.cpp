@@ -134,7 +134,9 @@ std::optional<CurveMaximum> maximum_of(const Curve& curve) {
       curve.points.begin(), curve.points.end(),
       [](const Point& a, const Point& b) { return a.mean_phi_J->mean < b.mean_phi_J->mean; });
   const Maximum m = find_maximum(f, phi);
-  return CurveMaximum{*highest->mean_phi_J, highest->small_fraction, m.at, m.low, m.high};
+  const auto place = static_cast<std::size_t>(highest - curve.points.begin());
+  const bool inside = place > 0 && place + 1 < curve.points.size();
+  return CurveMaximum{*highest->mean_phi_J, highest->small_fraction, place, inside, m.at, m.low, m.high};
 }
 
 }  // namespace furnas

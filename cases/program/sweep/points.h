@@ -28,8 +28,7 @@ struct Point {
   std::vector<double> phi_J;                                ///< of the jammed and settled samples
   std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;  ///< none without such a sample
   std::array<std::optional<MeanInterval>, 3> large_rattlers, small_rattlers;  ///< shares, with z_min 2, 3, 4
-  double
-      phi_bound{};  ///< mean bound on a further change of phi, in the interval of phi_J; 0 for a jammed one
+  double phi_bound{};  ///< mean of the bounds of settled samples, 0 for jammed ones; part of the interval
   /// Number of backbone spheres of all these samples together. Where the small spheres are rattlers only
   /// large spheres count.
   double effective_size{};
@@ -85,6 +84,8 @@ std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector
 struct CurveMaximum {
   MeanInterval phi_max;                       ///< phi_J of the highest point
   double at{};                                ///< f_s of that point
+  std::size_t place{};                        ///< of that point in the curve
+  bool inside{};                              ///< whether it lies between the ends of the curve
   double f_max{}, f_max_low{}, f_max_high{};  ///< f_max with its interval, from `find_maximum`
 };
 
