@@ -18,6 +18,7 @@
 #include "cases/program/run/folder_lock.h"
 #include "cases/program/run/recording.h"
 #include "cases/program/sweep/child.h"
+#include "cases/program/sweep/time_left.h"
 #include "cases/program/sweep/turn_folder.h"
 #include "engine/simulation.h"
 #include "io/atomic_file.h"
@@ -166,19 +167,11 @@ class Pool {
     s.running = running_.size();
     s.elsewhere = elsewhere_;
     s.left = waiting_.size() - elsewhere_;
+    SweepWork work{cost_, all_ - cost_ - head_starts_, {}};
+    for (const Running& r : running_) work.running.push_back({r.sample->cost(), r.head_start, r.done});
+    for (const RunningWork& r : work.running) s.late += r.late();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-    const double expected = pace_of_a_core * limits_.jobs;  // particle-steps a second
-    double left = cost_, gained = all_ - cost_ - head_starts_;
-    for (const Running& r : running_) {
-      const double cost = r.sample->cost();
-      left -= std::min(r.done, cost);
-      gained += std::max(std::min(r.done, cost) - r.head_start, 0.0);
-      s.late += r.done > cost;
-    }
-    // The expected pace has the weight of a minute of measurement.
-    constexpr double minute = 60;
-    const double pace = (gained + minute * expected) / (seconds + minute);
-    s.seconds_left = std::max(left, 0.0) / pace;
+    s.seconds_left = seconds_left(work, seconds, pace_of_a_core * limits_.jobs);
     return s;
   }
 
