@@ -1,5 +1,6 @@
 #include "cases/program/figures/reach.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,50 +32,67 @@ Reach::Reach(const Study& study) {
     if (curve.size_ratio() < least_ratio) continue;
     if (const auto f_max = f_max_of(study, curve)) f_max_[{curve.size_ratio(), curve.friction()}] = *f_max;
     for (const Point& point : curve.points) {
-      const auto kind = kind_of(point);
-      if (!kind || point.large == 0) continue;
-      Scatter& scatter = scatters_[*kind];
-      scatter.phi_J.add(mean_interval(point.phi_J), unit_of(point));
-      for (std::size_t k = 0; k < 3; ++k)
-        if (point.small_rattlers[k]) scatter.small_rattlers[k].add(*point.small_rattlers[k], unit_of(point));
+      if (point.large == 0) continue;
+      for (const Kind& kind : kinds_of(point)) {
+        Scatter& scatter = scatters_[kind];
+        scatter.phi_J.add(mean_interval(point.phi_J), unit_of(point));
+        for (std::size_t k = 0; k < 3; ++k)
+          if (point.small_rattlers[k])
+            scatter.small_rattlers[k].add(*point.small_rattlers[k], unit_of(point));
+      }
     }
   }
 }
 
-std::optional<Reach::Kind> Reach::kind_of(const Point& point) const {
-  constexpr double near = 0.03;
+std::vector<Reach::Kind> Reach::kinds_of(const Point& point) const {
+  constexpr double near = 0.03, most = 0.5;
   const auto found = f_max_.find({point.size_ratio, point.friction});
   if (found == f_max_.end()) return {};
+  const bool friction = point.friction > 0;
   const double off = point.small_fraction - found->second;
-  return Kind{point.friction > 0, off < -near ? Side::below : off > near ? Side::above : Side::near};
+  std::vector<Kind> kinds{{friction, off < -near ? Group::below : off > near ? Group::above : Group::near}};
+  const std::size_t threshold = friction ? 0 : 2;  // of the backbone: z_min 2 or 4
+  if (const auto& share = point.small_rattlers[threshold])
+    kinds.emplace_back(friction, share->mean > most ? Group::large_carry : Group::all_carry);
+  return kinds;
 }
 
-const Reach::Scatter* Reach::scatter_of(const Point& point) const {
+std::vector<const Reach::Scatter*> Reach::scatters_of(const Point& point) const {
   constexpr std::size_t least_degrees = 5;
-  if (point.phi_J.size() >= enough || point.large == 0) return nullptr;
-  const auto kind = kind_of(point);
-  const auto found = kind ? scatters_.find(*kind) : scatters_.end();
-  return found != scatters_.end() && found->second.phi_J.degrees_of_freedom() >= least_degrees
-             ? &found->second
-             : nullptr;
+  std::vector<const Scatter*> scatters;
+  if (point.phi_J.size() >= enough || point.large == 0) return scatters;
+  for (const Kind& kind : kinds_of(point)) {
+    const auto found = scatters_.find(kind);
+    if (found != scatters_.end() && found->second.phi_J.degrees_of_freedom() >= least_degrees)
+      scatters.push_back(&found->second);
+  }
+  return scatters;
 }
 
-bool Reach::pools(const Point& point) const { return !point.too_thin() && scatter_of(point) != nullptr; }
+bool Reach::pools(const Point& point) const { return !point.too_thin() && !scatters_of(point).empty(); }
 
 double Reach::of_phi_J(const Point& point) const {
   constexpr double scatter_of_large = 0.004;
   constexpr std::int64_t many = 1000;
   if (point.too_thin()) return infinity;
-  if (const Scatter* pooled = scatter_of(point))
-    return pooled->phi_J.half_width(point.phi_J.size(), unit_of(point)) + point.phi_bound;
+  if (pools(point)) {
+    double widest = 0;
+    for (const Scatter* pooled : scatters_of(point))
+      widest = std::max(widest, pooled->phi_J.half_width(point.phi_J.size(), unit_of(point)));
+    return widest + point.phi_bound;
+  }
   if (point.phi_J.size() > 1) return point.mean_phi_J->half_width;
   return point.large >= many ? scatter_of_large : infinity;
 }
 
 double Reach::of_small_rattlers(const Point& point, std::size_t threshold) const {
-  if (const Scatter* pooled = scatter_of(point))
-    return pooled->small_rattlers[threshold].half_width(point.phi_J.size(), unit_of(point));
-  return point.small_rattlers[threshold]->half_width;
+  const auto scatters = scatters_of(point);
+  if (scatters.empty()) return point.small_rattlers[threshold]->half_width;
+  double widest = 0;
+  for (const Scatter* pooled : scatters)
+    widest =
+        std::max(widest, pooled->small_rattlers[threshold].half_width(point.phi_J.size(), unit_of(point)));
+  return widest;
 }
 
 }  // namespace furnas

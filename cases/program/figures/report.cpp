@@ -88,8 +88,9 @@ Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse fr
 Written by `furnas figures`. Means are over jammed samples and, where a table counts some, settled samples. phi of a settled sample has a bound on its
 further change, which widens the interval. Intervals are 95 % intervals of Student's t; n is the number of samples.
 *By pooled scatter*: one or two samples tell next to nothing of their scatter. At size ratios from 5 on it is taken from all points of two samples
-or more with size ratio 5 or more, on the same side of f_max (below, within 0.03, above), with friction or without it like the point itself. A
-sample with N_l large spheres is taken to scatter as N_l^(-1/2). The tables of maxima and samples have Student's interval alone.
+or more with size ratio 5 or more, on the same side of f_max (below, within 0.03, above), with friction or without it like the point itself; or from
+those in which the same spheres carry the load, the large ones alone or small ones, too, if these points scatter more. A sample with N_l large spheres
+is taken to scatter as N_l^(-1/2). The tables of maxima and samples have Student's interval alone.
 *Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
 )";
   text += fmt::format(

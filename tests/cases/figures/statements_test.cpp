@@ -300,6 +300,27 @@ TEST(Reach, IsPooledOnOneSideOfTheMaximum) {
   EXPECT_NEAR(reach.of_phi_J(settled), jammed + 1e-3, 1e-12);
 }
 
+/// Below f_max, where the large spheres alone carry the load, samples scatter by 0.01; near it by 0.002, and
+/// small spheres carry load.
+TEST(Reach, IsThatOfTheGroupThatScattersMore) {
+  Study study = with_a_lone_sample(0.002, 0.82, 25);
+  const auto with_rattlers = [](Point p, double share) {
+    p.small_rattlers[0] = mean_interval({share});
+    return p;
+  };
+  for (Point& p : study.curves.front().points) p = with_rattlers(p, 0.2);
+  for (const double f : {0.1, 0.15, 0.2})
+    study.curves.front().points.push_back(with_rattlers(point(10, f, 0.3, {0.69, 0.70, 0.71}), 0.99));
+  const Reach reach(study);
+  const auto reach_at = [&](double f, double share) {
+    return reach.of_phi_J(with_rattlers(point(20, f, 0.3, {0.8}, 25), share));
+  };
+  constexpr double t6 = 2.44691;
+  EXPECT_NEAR(reach_at(0.29, 0.2), t6 * 0.004, 1e-6);
+  EXPECT_NEAR(reach_at(0.29, 0.9), t6 * 0.02, 1e-6) << "near f_max, but of large spheres alone";
+  EXPECT_NEAR(reach_at(0.2, 0.9), t6 * 0.02, 1e-6);
+}
+
 /// The rise of f_max at a size ratio whose points are too few for an interval gives way to a smaller ratio.
 TEST(Statements, TheRiseOfFMaxIsReadWhereItIsKnown) {
   SampleTable table = agreeing();
