@@ -108,8 +108,9 @@ void append(std::string& text, const std::string& more) { text += (text.empty() 
 
 Statement near_model(const Study& study, const Reach& reach) {
   constexpr double alpha = 20, share = 0.02;
-  Statement s = begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
-                      "each friction off by at most 2 % and half of the interval, at α = 20 or more");
+  Statement s =
+      begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
+            "each friction of the sweeps off by at most 2 % and half of the interval, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
@@ -126,6 +127,7 @@ Statement near_model(const Study& study, const Reach& reach) {
   if (parts.empty()) return s;
   s.ours = text;
   s.n = std::to_string(n);
+  if (parts.size() < study.frictions().size()) parts.push_back(Agreement::not_reachable);
   if (largest >= alpha) s.agreement = all_of(parts);
   return s;
 }
@@ -233,7 +235,10 @@ Sides sides_of(const Study& study, const Reach& reach, double size_ratio) {
   for (const double mu : study.frictions()) {
     const Curve* curve = study.curve(size_ratio, mu);
     const auto model = study.model(mu);
-    if (curve == nullptr || !model) continue;
+    if (curve == nullptr || !model) {
+      sides.parts.push_back(Agreement::not_reachable);
+      continue;
+    }
     const std::size_t threshold = mu > 0 ? 0 : 1;  // of z_min 2, 3, 4
     Shares left, right;
     for (const Point& p : curve->points) {
@@ -250,6 +255,7 @@ Sides sides_of(const Study& study, const Reach& reach, double size_ratio) {
         sides.parts.push_back(positive(few - share->mean, off));
       }
     }
+    if (!left.any() || !right.any()) sides.parts.push_back(Agreement::not_reachable);
     append(sides.text, fmt::format("μ = {}: {} below f_max, {} above", mu, left.text(), right.text()));
     sides.below.add(left);
     sides.above.add(right);
@@ -262,14 +268,14 @@ Statement rattlers(const Study& study, const Reach& reach) {
   Statement s =
       begin("α = 20: nearly all small spheres rattle below f_max, then a sharp fall to 0 (μ = 0) … 0.22",
             "1, then 0 … 0.22",
-            "above 0.9 below f_max, below 0.25 above it, at α = 20 or more; rattlers have fewer than 3 live "
-            "contacts (μ = 0) or 2");
+            "above 0.9 below f_max, below 0.25 above it, for each friction of the sweeps, at α = 20 or more; "
+            "rattlers have fewer than 3 live contacts (μ = 0) or 2");
   const double largest = largest_ratio(study, [&](double ratio) {
     const Sides sides = sides_of(study, reach, ratio);
     return sides.below.any() && sides.above.any();
   });
   const Sides sides = sides_of(study, reach, largest);
-  if (sides.parts.empty()) return s;
+  if (sides.n == 0) return s;
   s.ours = fmt::format("α = {}: {}", largest, sides.text);
   s.n = std::to_string(sides.n);
   if (largest >= alpha) s.agreement = all_of(sides.parts);

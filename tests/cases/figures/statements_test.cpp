@@ -143,6 +143,17 @@ TEST(Statements, AreNotToldFromACurveThatEndsBeforeItsMaximum) {
     EXPECT_EQ(about(all, what).agreement, Agreement::reproduced) << what << ": " << about(all, what).ours;
 }
 
+/// What the paper says of all frictions is not told from one of them.
+TEST(Statements, OfAllFrictionsNeedEachOfThem) {
+  SampleTable table = agreeing();
+  std::erase_if(table.rows, [](const SampleRow& row) { return row.size_ratio == 20 && row.friction == 0; });
+  const auto all = statements_of(study_from(table));
+  for (const char* what : {"within 2 % of the model", "rattle below"}) {
+    EXPECT_EQ(about(all, what).agreement, Agreement::not_reachable) << what;
+    EXPECT_THAT(about(all, what).ours, HasSubstr("μ = 0.3")) << what;
+  }
+}
+
 TEST(Statements, TakeTheNearestPoint) {
   SampleTable table = agreeing();
   add(table, "20.0", "0.295", "0.3", 0.7);
