@@ -69,30 +69,29 @@ std::vector<const Reach::Scatter*> Reach::scatters_of(const Point& point) const 
   return scatters;
 }
 
+template <class Of>
+std::optional<double> Reach::pooled(const Point& point, Of&& of) const {
+  std::optional<double> widest;
+  for (const Scatter* scatter : scatters_of(point))
+    widest = std::max(widest.value_or(0), of(*scatter).half_width(point.phi_J.size(), unit_of(point)));
+  return widest;
+}
+
 bool Reach::pools(const Point& point) const { return !point.too_thin() && !scatters_of(point).empty(); }
 
 double Reach::of_phi_J(const Point& point) const {
   constexpr double scatter_of_large = 0.004;
   constexpr std::int64_t many = 1000;
   if (point.too_thin()) return infinity;
-  if (pools(point)) {
-    double widest = 0;
-    for (const Scatter* pooled : scatters_of(point))
-      widest = std::max(widest, pooled->phi_J.half_width(point.phi_J.size(), unit_of(point)));
-    return widest + point.phi_bound;
-  }
+  if (const auto half_width = pooled(point, [](const Scatter& s) { return s.phi_J; }))
+    return *half_width + point.phi_bound;
   if (point.phi_J.size() > 1) return point.mean_phi_J->half_width;
   return point.large >= many ? scatter_of_large : infinity;
 }
 
 double Reach::of_small_rattlers(const Point& point, std::size_t threshold) const {
-  const auto scatters = scatters_of(point);
-  if (scatters.empty()) return point.small_rattlers[threshold]->half_width;
-  double widest = 0;
-  for (const Scatter* pooled : scatters)
-    widest =
-        std::max(widest, pooled->small_rattlers[threshold].half_width(point.phi_J.size(), unit_of(point)));
-  return widest;
+  const auto half_width = pooled(point, [&](const Scatter& s) { return s.small_rattlers[threshold]; });
+  return half_width ? *half_width : point.small_rattlers[threshold]->half_width;
 }
 
 }  // namespace furnas

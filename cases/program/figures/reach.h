@@ -45,6 +45,11 @@ class Reach {
   std::vector<Kind> kinds_of(const Point& point) const;               ///< none where f_max is not known
   std::vector<const Scatter*> scatters_of(const Point& point) const;  ///< none where nothing is pooled
 
+  /// The half width that the groups of a point give to one of its quantities, `of`(scatter); none where
+  /// nothing is pooled.
+  template <class Of>
+  std::optional<double> pooled(const Point& point, Of&& of) const;
+
   std::map<std::pair<double, double>, double> f_max_;  ///< by size ratio and friction
   std::map<Kind, Scatter> scatters_;
 };
