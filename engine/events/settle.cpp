@@ -56,16 +56,20 @@ void Settle::record(const Observation& now, const RestReport& r, double phi) {
   past_.add(now.step(), phi, r.stress_error);
 }
 
-bool Settle::is_near_rest(const RestReport& r) const {
-  constexpr double of_stress = 10, of_balance = 100, of_energy = 100;  // multiples of the limits
+/// How many times the range of phi over the later half of the age a bound allows for; 0 where the packing is
+/// too far from rest for a bound.
+double Settle::ranges_allowed(const RestReport& r) const {
+  constexpr double of_stress = 10, of_energy = 100, balanced = 100, unbalanced = 1000;  // multiples of limits
+  constexpr double doublings = 5, rearrangements = 20;
   const RestCriteria& c = watch_.criteria();
-  return r.backbone > 0 && r.stress_error < of_stress * c.stress_error &&
-         r.force_imbalance < of_balance * c.force_imbalance &&
-         r.kinetic_energy < of_energy * c.kinetic_energy;
+  if (r.backbone == 0 || !(r.stress_error < of_stress * c.stress_error) ||
+      !(r.kinetic_energy < of_energy * c.kinetic_energy))
+    return 0;
+  if (r.force_imbalance < balanced * c.force_imbalance) return doublings;
+  return r.force_imbalance < unbalanced * c.force_imbalance ? rearrangements : 0;
 }
 
 bool Settle::due(Observation& now) {
-  constexpr double doublings = 5;
   const RestReport& r = watch_.look(now);
   const Measures& m = now.measures();
   record(now, r, m.phi);
@@ -73,9 +77,10 @@ bool Settle::due(Observation& now) {
   if (now.step() % watch_.window_length() != 0 || r.resting) return false;
   const std::int64_t age = now.step() - loaded_at_;
   bound_ = RestReport::unknown;
-  if (past_.empty() || age < least_age_ || !is_near_rest(r) || !quench_.steady()) return false;
+  const double ranges = ranges_allowed(r);
+  if (past_.empty() || age < least_age_ || ranges == 0 || !quench_.steady()) return false;
   const PhiRecord::Span late = past_.since(now.step() - age / 2);
-  bound_ = doublings * (late.high - late.low) + change_by_stress(m, late.stress_error);
+  bound_ = ranges * (late.high - late.low) + change_by_stress(m, late.stress_error);
   return bound_ < watch_.criteria().phi_error;
 }
 

@@ -22,13 +22,34 @@ std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
 
+/// A key that may differ between samples without friction: their phi_J does not depend on the masses
+/// (docs/developer/decisions/masses-without-friction.md).
+constexpr const char* exponent_of_mass = "compaction.mass_exponent";
+
+/// The values of a key among the samples with friction or among those without it, and the number of samples
+/// of each; empty if the key is the same for all samples.
+std::map<std::string, std::size_t> values_of(const Gathered& all, const std::string& key, bool friction) {
+  std::map<std::string, std::size_t> values;
+  const auto& names = all.table.keys;
+  const auto place = std::find(names.begin(), names.end(), key) - names.begin();
+  if (place == std::ssize(names)) return values;
+  for (const SampleRow& row : all.table.rows)
+    if ((row.friction > 0) == friction) ++values[row.values[static_cast<std::size_t>(place)]];
+  return values;
+}
+
+/// Whether samples that differ in a key may not stand together.
+bool separates(const Gathered& all, const std::string& key) {
+  if (key == exponent_of_mass) return values_of(all, key, true).size() > 1;
+  return key != number_of_large && std::find(keys.begin(), keys.end(), key) == keys.end();
+}
+
 /// Refuses samples that differ in keys that the paper does not vary, because their means would mix
 /// experiments.
 void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders) {
   std::string others, first;
   for (const VaryingKey& varying : all.varying()) {
-    if (varying.key == number_of_large || std::find(keys.begin(), keys.end(), varying.key) != keys.end())
-      continue;
+    if (!separates(all, varying.key)) continue;
     if (first.empty()) first = varying.key;
     others +=
         fmt::format("{}{} ({})", others.empty() ? "" : ", ", varying.key, fmt::join(varying.values, ", "));
@@ -46,6 +67,17 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
       "samples in {} differ in {}: their means would mix experiments; allowed: samples that differ in {} and "
       "{} alone. To see the difference: furnas plot {} --by {}",
       fmt::join(names, ", "), others, fmt::join(keys, ", "), number_of_large, fmt::join(names, " "), first));
+}
+
+/// Which samples without friction have other masses than solid spheres.
+std::vector<std::string> remarks_on_masses(const Gathered& all) {
+  std::vector<std::string> remarks;
+  for (const auto& [exponent, count] : values_of(all, exponent_of_mass, false))
+    if (exponent != "3")
+      remarks.push_back(fmt::format("{} without friction {} made with {} = {}",
+                                    count == 1 ? "1 sample" : fmt::format("{} samples", count),
+                                    count == 1 ? "was" : "were", exponent_of_mass, exponent));
+  return remarks;
 }
 
 /// The history of a jammed sample of the largest size ratio and friction; empty if there is none.
@@ -92,6 +124,7 @@ Study study_of(const std::vector<fs::path>& folders) {
   Study study;
   study.folders = folders;
   study.remarks = gathered.remarks;
+  for (std::string& remark : remarks_on_masses(gathered)) study.remarks.push_back(std::move(remark));
   study.history = history_in(gathered);
   study.points = points_of(largest_of(gathered, study.remarks));
   for (const Curve& curve : curves_of(study.points, keys))

@@ -1,5 +1,6 @@
 #include "cases/program/figures/gather.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cases/program/figures/study.h"
@@ -46,6 +47,22 @@ TEST_F(TwoSweeps, StandTogetherIfOnlyTheLengthOfARunDiffers) {
   EXPECT_NO_THROW(study_of(both()));
   write("b", second(), "force_imbalance = 1e-3");
   EXPECT_THROW(study_of(both()), InputError) << "another condition of rest";
+}
+
+TEST_F(TwoSweeps, MayDifferInTheMassesOfSpheresWithoutFriction) {
+  const char* light = "phi_error = 1e-3\n[compaction]\nmass_exponent = 2.0";
+  write("b", second(), light);
+  EXPECT_THROW(study_of(both()), InputError) << "with friction masses bear on phi_J";
+  SampleTable smooth = paper_table();
+  smooth.rows = {jammed_row("5.0", "0.3", "0.0", 1, 0.77), jammed_row("5.0", "0.3", "0.0", 2, 0.77)};
+  write("b", smooth, light);
+  const Study study = study_of(both());
+  EXPECT_THAT(study.remarks,
+              testing::ElementsAre("2 samples without friction were made with compaction.mass_exponent = 2"));
+  write("c", smooth, "phi_error = 1e-3");
+  std::vector<fs::path> all = both();
+  all.push_back(all.front().parent_path() / "c");
+  EXPECT_EQ(study_of(all).curve(5, 0)->points.front().jammed, 4u) << "solid and light spheres at one point";
 }
 
 TEST_F(TwoSweeps, HaveARunThatWasCarriedOnOnce) {

@@ -20,7 +20,8 @@ TEST(StudyFigures, FollowFromTheTablesBesideThem) {
   const TemporaryFolder folder;
   const fs::path drawn = folder / "figures";
   std::vector<std::string> command{"figures"};
-  for (const char* tables : {"mono", "mono_10000", "alpha_2", "alpha_3", "alpha_5", "alpha_10", "alpha_20"})
+  for (const char* tables :
+       {"mono", "mono_10000", "alpha_2", "alpha_3", "alpha_5", "alpha_10", "alpha_20", "alpha_20_light"})
     command.push_back((study / tables).string());
   command.insert(command.end(), {"--out", drawn.string()});
   const Ending drawing = ending_of(command);
