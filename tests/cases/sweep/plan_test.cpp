@@ -94,7 +94,7 @@ TEST_F(Plans, KnowsWhichKeysVary) {
 TEST_F(Plans, LargerSamplesAndThoseWithoutFrictionCostMore) {
   const auto cost = [](double size_ratio, double friction) {
     Case c;
-    c.mixture = {size_ratio, 0.2, 100, 0.05, 1};
+    c.mixture = {size_ratio, 0.2, 1000, 0.05, 1};
     c.contact.friction = friction;
     return sample_of(c, {}, "s").cost();
   };
