@@ -6,6 +6,7 @@
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
+#include "engine/laws/any_law.h"
 
 namespace furnas {
 namespace {
@@ -58,15 +59,14 @@ void Settle::record(const Observation& now, const RestReport& r, double phi) {
 
 /// How many times the range of phi over the later half of the age a bound allows for; 0 where the packing is
 /// too far from rest for a bound.
-double Settle::ranges_allowed(const RestReport& r) const {
-  constexpr double of_stress = 10, of_energy = 100, balanced = 100, unbalanced = 1000;  // multiples of limits
+double Settle::ranges_allowed(const RestReport& r, bool friction) const {
+  constexpr double of_stress = 10, of_balance = 100, of_energy = 100;  // multiples of the limits
   constexpr double doublings = 5, rearrangements = 20;
   const RestCriteria& c = watch_.criteria();
-  if (r.backbone == 0 || !(r.stress_error < of_stress * c.stress_error) ||
-      !(r.kinetic_energy < of_energy * c.kinetic_energy))
-    return 0;
-  if (r.force_imbalance < balanced * c.force_imbalance) return doublings;
-  return r.force_imbalance < unbalanced * c.force_imbalance ? rearrangements : 0;
+  if (r.backbone == 0 || !(r.stress_error < of_stress * c.stress_error)) return 0;
+  if (r.force_imbalance < of_balance * c.force_imbalance && r.kinetic_energy < of_energy * c.kinetic_energy)
+    return doublings;
+  return friction ? 0 : rearrangements;
 }
 
 bool Settle::due(Observation& now) {
@@ -77,7 +77,7 @@ bool Settle::due(Observation& now) {
   if (now.step() % watch_.window_length() != 0 || r.resting) return false;
   const std::int64_t age = now.step() - loaded_at_;
   bound_ = RestReport::unknown;
-  const double ranges = ranges_allowed(r);
+  const double ranges = ranges_allowed(r, has_friction(now.simulation().model().law));
   if (past_.empty() || age < least_age_ || ranges == 0 || !quench_.steady()) return false;
   const PhiRecord::Span late = past_.since(now.step() - age / 2);
   bound_ = ranges * (late.high - late.low) + change_by_stress(m, late.stress_error);

@@ -38,14 +38,14 @@ class PhiRecord {
 
 /// Ends the run as settled when a bound on the further change of phi is below criteria.phi_error.
 ///
-/// The bound is computed at the end of each window in which the packing is nearly at rest (stress within 10
-/// times its limit, energy within 100 times, balance within 1000 times theirs) and its backbone does not gain
-/// speed. The bound is the sum of two parts:
+/// The bound is computed at the end of each window in which the stress is within 10 times its limit and the
+/// backbone does not gain speed; with friction, balance and energy must also be within 100 times their
+/// limits. The bound is the sum of two parts:
 ///   - creep and avalanches: five times the range of phi over the later half of the age, the time since the
 ///     packing first carried the pressure. Creep slows down with the age: if phi changes as the logarithm of
 ///     time, it changes by the same amount in each doubling of the age, and few runs last five more
-///     doublings. Where the balance is not within 100 times its limit, the packing still rearranges, and
-///     twenty times the range are allowed for;
+///     doublings. Without friction it is twenty times the range where balance and energy are not within 100
+///     times their limits: such a packing still rearranges;
 ///   - the remaining error of the stress: the change of phi that would correct it if every contact followed
 ///     the strain of the cell, times 3, because in a disordered packing contacts do not follow it.
 /// The first part is an empirical estimate, no proof: docs/developer/decisions/phi-with-a-bound.md counts how
@@ -70,7 +70,7 @@ class Settle final : public Event {
 
  private:
   void record(const Observation& now, const RestReport& report, double phi);
-  double ranges_allowed(const RestReport& report) const;
+  double ranges_allowed(const RestReport& report, bool friction) const;
 
   RestWatch& watch_;
   const Quench& quench_;
