@@ -25,12 +25,12 @@ double steps_with_friction(const Case::Mixture& mixture) {
 /// Without friction packings of many spheres that carry load take the longest: all spheres, or, below the
 /// densest mixture of size ratio 3 and more, the large ones alone.
 double steps_without_friction(const Case& c, double particles) {
-  constexpr double settles = 5e5;  // few packings have no bound on phi by then
+  constexpr double settles = 5e5, wide = 4e-3;  // few packings have no such bound on phi by then
   const double alpha = c.mixture.size_ratio, f_s = c.mixture.small_fraction;
   const bool large_ones_alone = alpha >= 3 && f_s < (alpha < 7 ? 0.2 : 0.25);
   const double carriers = large_ones_alone ? static_cast<double>(c.mixture.large) : particles;
   const double steps = std::max(3.5e4 * std::pow(alpha, 0.35), 6e4 * std::pow(carriers / 1000, 0.75));
-  return c.stop.phi_error > 0 ? std::min(steps, settles) : steps;
+  return c.stop.phi_error >= wide ? std::min(steps, settles) : steps;
 }
 
 }  // namespace

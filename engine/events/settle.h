@@ -64,8 +64,8 @@ class Settle final : public Event {
   std::string saved() override;
   void restore(const std::string& saved) override;
 
-  /// Bound on the further change of phi at the end of the last window; infinite unless the packing was then
-  /// near rest.
+  /// Bound on the further change of phi at the end of the last window; infinite where none could be
+  /// given.
   double bound() const { return bound_; }
 
  private:

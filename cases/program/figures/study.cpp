@@ -22,9 +22,10 @@ std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
 
-/// A key that may differ between samples without friction: their phi_J does not depend on the masses
+/// A key that may differ between samples without friction, whose phi_J hardly depends on the masses
 /// (docs/developer/decisions/masses-without-friction.md).
 constexpr const char* exponent_of_mass = "compaction.mass_exponent";
+constexpr const char* solid = "3";
 
 /// The values of a key among the samples with friction or among those without it, and the number of samples
 /// of each; empty if the key is the same for all samples.
@@ -40,7 +41,10 @@ std::map<std::string, std::size_t> values_of(const Gathered& all, const std::str
 
 /// Whether samples that differ in a key may not stand together.
 bool separates(const Gathered& all, const std::string& key) {
-  if (key == exponent_of_mass) return values_of(all, key, true).size() > 1;
+  if (key == exponent_of_mass) {
+    const auto exponents = values_of(all, key, true);
+    return exponents.size() > exponents.count(solid);  // any but solid spheres, with friction
+  }
   return key != number_of_large && std::find(keys.begin(), keys.end(), key) == keys.end();
 }
 
@@ -55,6 +59,7 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
         fmt::format("{}{} ({})", others.empty() ? "" : ", ", varying.key, fmt::join(varying.values, ", "));
   }
   std::vector<std::string> names;
+  names.reserve(folders.size());
   for (const fs::path& folder : folders) names.push_back(folder.string());
   for (std::size_t k = 0; k < all.runs.size(); ++k)
     if (all.table.rows[k].values.front().empty())
@@ -73,7 +78,7 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
 std::vector<std::string> remarks_on_masses(const Gathered& all) {
   std::vector<std::string> remarks;
   for (const auto& [exponent, count] : values_of(all, exponent_of_mass, false))
-    if (exponent != "3")
+    if (exponent != solid && !exponent.empty())
       remarks.push_back(fmt::format("{} without friction {} made with {} = {}",
                                     count == 1 ? "1 sample" : fmt::format("{} samples", count),
                                     count == 1 ? "was" : "were", exponent_of_mass, exponent));

@@ -51,7 +51,8 @@ TEST_F(TwoSweeps, StandTogetherIfOnlyTheLengthOfARunDiffers) {
 
 TEST_F(TwoSweeps, MayDifferInTheMassesOfSpheresWithoutFriction) {
   const char* light = "phi_error = 1e-3\n[compaction]\nmass_exponent = 2.0";
-  write("b", second(), light);
+  const SampleTable rough = second();
+  write("b", rough, light);
   EXPECT_THROW(study_of(both()), InputError) << "with friction masses bear on phi_J";
   SampleTable smooth = paper_table();
   smooth.rows = {jammed_row("5.0", "0.3", "0.0", 1, 0.77), jammed_row("5.0", "0.3", "0.0", 2, 0.77)};
@@ -63,6 +64,8 @@ TEST_F(TwoSweeps, MayDifferInTheMassesOfSpheresWithoutFriction) {
   std::vector<fs::path> all = both();
   all.push_back(all.front().parent_path() / "c");
   EXPECT_EQ(study_of(all).curve(5, 0)->points.front().jammed, 4u) << "solid and light spheres at one point";
+  write("a", rough, light);
+  EXPECT_THROW(study_of(all), InputError) << "light spheres with friction beside solid ones without";
 }
 
 TEST_F(TwoSweeps, HaveARunThatWasCarriedOnOnce) {

@@ -91,7 +91,7 @@ TEST_F(Plans, KnowsWhichKeysVary) {
       ElementsAre("mixture.size_ratio", "mixture.small_fraction", "contact.friction", "compaction.pressure"));
 }
 
-TEST_F(Plans, LargerSamplesAndThoseWithoutFrictionCostMore) {
+TEST_F(Plans, LargerSamplesAndManySpheresWithoutFrictionCostMore) {
   const auto cost = [](double size_ratio, double friction) {
     Case c;
     c.mixture = {size_ratio, 0.2, 1000, 0.05, 1};
