@@ -167,7 +167,7 @@ class Pool {
     s.running = running_.size();
     s.elsewhere = elsewhere_;
     s.left = waiting_.size() - elsewhere_;
-    SweepWork work{cost_, all_ - cost_ - head_starts_, {}};
+    SweepWork work{cost_, done_, {}};
     for (const Running& r : running_) work.running.push_back({r.sample->cost(), r.head_start, r.done});
     for (const RunningWork& r : work.running) s.late += r.late();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
@@ -301,7 +301,7 @@ class Pool {
     if (!ours || out_of_time) {
       waiting_.push_back(&sample);
     } else {
-      head_starts_ += ended.head_start;
+      done_ += RunningWork{sample.cost(), ended.head_start, sample.cost()}.in_this_turn();
       count_as_done(sample, code);
     }
   }
@@ -325,7 +325,7 @@ class Pool {
   std::list<Running> running_;
   SweepStanding standing_;
   bool stopping_ = false;
-  double head_starts_ = 0;  ///< of the samples that have ended here [particle-steps]
+  double done_ = 0;  ///< at samples that have ended here, by their cost [particle-steps]
   double cost_ = 0,
          all_ = 0;  ///< cost of the samples not done now, and not done at the start [particle-steps]
   Clock::time_point begin_ = Clock::now();

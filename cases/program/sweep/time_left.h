@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace furnas {
@@ -9,6 +10,9 @@ struct RunningWork {
   double cost;        ///< of the whole sample, estimated before it began
   double head_start;  ///< done before this turn
   double done;        ///< done in all turns
+
+  /// What this turn did of the cost; nothing if earlier turns had done more than was estimated.
+  double in_this_turn() const { return std::max(std::min(done, cost) - head_start, 0.0); }
 
   /// Whether the sample has taken more than was estimated.
   bool late() const { return done > cost; }

@@ -27,6 +27,13 @@ TEST(TimeLeft, CountsTheHeadStartAsDoneButNotAsPace) {
   EXPECT_DOUBLE_EQ(seconds_left(work, 10, expected), 600 / ((100 + 600) / 70.0));
 }
 
+// A sample that has ended counts with its cost, less what was done before this turn.
+TEST(TimeLeft, CountsNoWorkBelowZero) {
+  EXPECT_DOUBLE_EQ((RunningWork{1000, 300, 1000}.in_this_turn()), 700);
+  EXPECT_DOUBLE_EQ((RunningWork{1000, 300, 5000}.in_this_turn()), 700);
+  EXPECT_DOUBLE_EQ((RunningWork{1000, 2000, 5000}.in_this_turn()), 0);
+}
+
 TEST(TimeLeft, LeavesOutWhatALateSampleDoesBeyondItsCost) {
   const RunningWork late{1000, 0, 5000};
   EXPECT_TRUE(late.late());
