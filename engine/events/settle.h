@@ -44,7 +44,7 @@ class PhiRecord {
 ///   - creep and avalanches: five times the range of phi over the later half of the age, the time since the
 ///     packing first carried the pressure. Creep slows down with the age: if phi changes as the logarithm of
 ///     time, it changes by the same amount in each doubling of the age, and few runs last five more
-///     doublings. Without friction it is twenty times the range where balance and energy are not within 100
+///     doublings. Without friction it is twenty times the range where balance or energy is not within 100
 ///     times their limits: such a packing still rearranges;
 ///   - the remaining error of the stress: the change of phi that would correct it if every contact followed
 ///     the strain of the cell, times 3, because in a disordered packing contacts do not follow it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/program/sweep/sample_table.h"
+#include "tests/cases/study_tables.h"
 
 namespace furnas {
 namespace {
@@ -16,12 +17,10 @@ namespace {
 /// The median of the steps of the samples of each point of the study is within a factor of three of what
 /// `furnas check` foretells.
 TEST(ExpectedSteps, AreThoseOfTheStudyWithinAFactorOfThree) {
-  const std::filesystem::path study = std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/results/study";
   std::map<std::tuple<double, double, double, std::int64_t, std::int64_t, bool>, std::vector<std::int64_t>>
       steps;
-  for (const char* tables :
-       {"mono", "mono_10000", "alpha_2", "alpha_3", "alpha_5", "alpha_10", "alpha_20", "alpha_20_light"})
-    for (const SampleRow& row : read_sample_table(study / tables).rows)
+  for (const std::filesystem::path& table : study_tables())
+    for (const SampleRow& row : read_sample_table(table).rows)
       if (row.jammed() || row.settled())
         steps[{row.size_ratio, row.small_fraction, row.friction, row.large, row.small, row.settled()}]
             .push_back(row.steps);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cases/process.h"
+#include "tests/cases/study_tables.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -16,18 +17,15 @@ namespace fs = std::filesystem;
 /// The figures that the pages of results show are those that `furnas figures` draws from the tables beside
 /// them, byte for byte. The pictures (PNG) are not kept there.
 TEST(StudyFigures, FollowFromTheTablesBesideThem) {
-  const fs::path study = fs::path(FURNAS_SOURCE_DIR) / "docs/results/study";
   const TemporaryFolder folder;
   const fs::path drawn = folder / "figures";
   std::vector<std::string> command{"figures"};
-  for (const char* tables :
-       {"mono", "mono_10000", "alpha_2", "alpha_3", "alpha_5", "alpha_10", "alpha_20", "alpha_20_light"})
-    command.push_back((study / tables).string());
+  for (const fs::path& table : study_tables()) command.push_back(table.string());
   command.insert(command.end(), {"--out", drawn.string()});
   const Ending drawing = ending_of(command);
   ASSERT_EQ(drawing.code, 0) << drawing.out;
   std::size_t kept = 0;
-  for (const auto& file : fs::directory_iterator(study / "figures")) {
+  for (const auto& file : fs::directory_iterator(study_folder() / "figures")) {
     EXPECT_EQ(content(file.path()), content(drawn / file.path().filename())) << file.path();
     ++kept;
   }
