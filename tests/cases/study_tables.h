@@ -11,7 +11,7 @@ inline std::filesystem::path study_folder() {
   return std::filesystem::path(FURNAS_SOURCE_DIR) / "docs/results/study";
 }
 
-/// The folders of its tables from which its figures are drawn (docs/results/study.md, "Every statement").
+/// The folders of its tables from which its figures are drawn (docs/results/study.md).
 inline std::vector<std::filesystem::path> study_tables() {
   std::vector<std::filesystem::path> tables;
   for (const char* name :
