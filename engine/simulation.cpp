@@ -64,10 +64,6 @@ class SimulationOf final : public Simulation {
   const Model& model() const override { return model_; }
   void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
                   const Triangle& rate) override;
-  void set_time_step(double time_step) override {
-    clock_ = {state_.step, clock_.at(state_.step, model_.time_step)};
-    model_.time_step = time_step;
-  }
   void set_bath(const Barostat& bath) override {
     require(bath.freedom == model_.barostat.freedom, "the phases of a step are chosen by the cell's freedom");
     model_.barostat = bath;
@@ -93,6 +89,7 @@ class SimulationOf final : public Simulation {
   static Vec3<Real> narrow(const Vec3<double>& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
   void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
+  void list_nothing();
   void restore_contacts(const Packing& packing);
   void take_forces();
   std::vector<Contact> contacts() const;
@@ -114,7 +111,13 @@ void SimulationOf<Numerics>::load(const Packing& p) {
   workers_.run([&] {
     const std::int64_t builds = state_.pairs.builds;
     take_particles(p);
-    build_list(builds);
+    try {
+      build_list(builds);
+    } catch (
+        const NumericalFailure&) {  // the cell has collapsed: what is left can still be measured and saved
+      list_nothing();
+      throw;
+    }
     p.order.empty() ? take_forces() : restore_contacts(p);
   });
 }
@@ -177,6 +180,16 @@ void SimulationOf<Numerics>::build_list(std::int64_t builds) {
   work_.inner = {};
 }
 
+/// Makes a list without pairs.
+template <class Numerics>
+void SimulationOf<Numerics>::list_nothing() {
+  state_.pairs = {};
+  state_.pairs.first.assign(count_ + 1, 0);
+  for (const auto& particle : state_.particles) state_.pairs.reference.push_back(particle.position);
+  state_.rows.clear();
+  state_.contact_state.clear(0, 0, spins);
+}
+
 template <class Numerics>
 void SimulationOf<Numerics>::take_forces() {
   const double no_step = 0;
@@ -195,7 +208,9 @@ void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const PairList& list = state_.pairs;
   for (const Contact& c : p.contacts) {
-    require(c.i < count_ && c.j < count_, "contacts are of particles of the packing");
+    if (c.i >= count_ || c.j >= count_)
+      throw InputError("a contact is of particle " + std::to_string(std::max(c.i, c.j) + 1) +
+                       ", and there are " + std::to_string(count_) + " particles");
     std::uint32_t i = place[c.i];
     std::uint32_t j = place[c.j];
     auto image = c.image;
@@ -212,7 +227,9 @@ void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
            !(list.partner[k] == j &&
              image_of_row(list, k, state_.particles[i].position, state_.particles[j].position) == image))
       ++k;
-    require(k < list.first[i + 1], "every contact is in the list");
+    if (k == list.first[i + 1])
+      throw InputError("particles " + std::to_string(p.id(c.i)) + " and " + std::to_string(p.id(c.j)) +
+                       " have a contact and are not neighbours");
     state_.rows[k].force = {Real(sign * c.force.x), Real(sign * c.force.y), Real(sign * c.force.z)};
     state_.contact_state.touch(k, i, j);
     if constexpr (spins)

@@ -48,9 +48,6 @@ class Simulation {
   virtual void set_motion(std::span<const Vec3<double>> velocity, std::span<const Vec3<double>> spin,
                           const Triangle& rate) = 0;
 
-  /// Sets the length of the following steps [time]; the time of the packing continues from its present value.
-  virtual void set_time_step(double time_step) = 0;
-
   /// Sets another bath; which deformations the cell may make does not change.
   virtual void set_bath(const Barostat& bath) = 0;
 

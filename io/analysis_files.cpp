@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/require.h"
+#include "io/json_text.h"
 
 namespace furnas {
 namespace {
@@ -122,7 +123,7 @@ std::string summary(const AnalysisRecord& r) {
   if (a.network) json["network"] = as_json(*a.network, a);
   json["pair_correlation"] = Json::array();
   for (const PairCorrelation& p : a.pairs) json["pair_correlation"].push_back(as_json(p));
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string coordination_table(const AnalysisRecord& r) {

@@ -93,4 +93,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   file.commit();
 }
 
+void refuse_existing(const std::filesystem::path& path) {
+  if (std::filesystem::exists(path))
+    throw InputError(path.string() + " exists and is not overwritten; give another name");
+}
+
 }  // namespace furnas

@@ -53,4 +53,8 @@ class AtomicFile {
 /// Writes a whole file at once, complete or not at all.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Throws InputError if there is a file of this name: the program overwrites no file that may be the user's
+/// own.
+void refuse_existing(const std::filesystem::path& path);
+
 }  // namespace furnas

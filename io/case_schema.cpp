@@ -120,7 +120,7 @@ std::vector<Key> compaction() {
              [](Case& c) -> Field { return &c.compaction.inertia_absolute; }),
       either("compaction", "cell_damping", "drag", "", from_to(0, 1000),
              "drag on the strain rate of the cell over (p_a V/W)^(1/2), V being the volume of the dense "
-             "cell; 2 is critical, from 4 on the pressure does not overshoot p_a",
+             "cell; 2 is critical, from 4 on the pressure exceeds p_a by at most 1 %",
              [](Case& c) -> Field { return &c.compaction.cell_damping; }),
       either("compaction", "drag", "cell_damping", "1/time", from_to(0, 1000),
              "drag of the cell itself, instead of cell_damping: the strain rate of the cell decays as "

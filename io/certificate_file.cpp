@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 
 namespace furnas {
 namespace {
@@ -139,7 +140,7 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
 
 void write_certificate(const Certificate& certificate, const CertificateTerms& terms, const std::string& of,
                        const std::filesystem::path& folder) {
-  write_file(folder / "certificate.json", json_of(certificate, terms, of).dump(2) + "\n");
+  write_file(folder / "certificate.json", json_text(json_of(certificate, terms, of)));
   write_file(folder / "certificate.txt", certificate_text(certificate, terms, of));
 }
 

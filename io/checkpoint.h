@@ -39,7 +39,7 @@ struct ReplicaCheckpoint {
 /// The first bytes of every checkpoint.
 inline constexpr std::string_view checkpoint_magic = "FURNASCP";
 
-/// Whether a file begins with checkpoint_magic; false if it cannot be read.
+/// Whether a file begins with checkpoint_magic. Throws InputError if it cannot be opened.
 bool is_checkpoint(const std::filesystem::path& path);
 
 /// Writes a checkpoint, complete or not at all; every bit of the packing is kept. Throws OutputError.

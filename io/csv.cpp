@@ -67,11 +67,15 @@ std::optional<std::vector<std::string>> cells_of(std::string_view row) {
 
 }  // namespace
 
+std::string csv_cell(const std::string& text) {
+  return text.find_first_of(",\"\r\n") == text.npos ? text : in_quotes(text);
+}
+
 std::string csv_row(const std::vector<std::string>& cells) {
   std::string row;
   for (const std::string& cell : cells) {
     if (&cell != &cells.front()) row += ',';
-    row += cell.find_first_of(",\"\r\n") == cell.npos ? cell : in_quotes(cell);
+    row += csv_cell(cell);
   }
   return row + '\n';
 }
@@ -82,7 +86,7 @@ std::string without_commas(std::string text) {
   return text;
 }
 
-bool read_csv_row(std::istream& file, std::vector<std::string>& cells) {
+bool read_csv_row(std::istream& file, std::vector<std::string>& cells, const std::string& name) {
   std::string row, line;
   while (read_line(file, line)) {
     if (line.ends_with('\r')) line.pop_back();
@@ -92,8 +96,10 @@ bool read_csv_row(std::istream& file, std::vector<std::string>& cells) {
       return true;
     }
     row += '\n';
+    constexpr std::size_t longest = std::size_t{1} << 20;  // each further line parses the row anew
+    if (row.size() > longest) break;
   }
-  if (!row.empty()) throw InputError("the quotes of its last cell are not closed");
+  if (!row.empty()) throw InputError(name + ": the quotes of a cell are not closed");
   return false;
 }
 

@@ -112,7 +112,8 @@ std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
                                               const std::vector<std::string>& wanted) {
   std::ifstream file = open_file(path);
   std::vector<std::string> cells;
-  if (!read_csv_row(file, cells)) throw InputError(path.string() + " cannot be read; allowed: a history.csv");
+  if (!read_csv_row(file, cells, path.string()))
+    throw InputError(path.string() + " cannot be read; allowed: a history.csv");
   std::vector<std::size_t> places;
   for (const std::string& column : wanted) {
     const auto found = std::find(cells.begin(), cells.end(), column);
@@ -122,7 +123,7 @@ std::vector<std::vector<double>> read_history(const std::filesystem::path& path,
   }
   const std::size_t width = cells.size();
   std::vector<std::vector<double>> values(wanted.size());
-  while (read_csv_row(file, cells)) {
+  while (read_csv_row(file, cells, path.string())) {
     if (cells.size() != width) throw InputError(path.string() + ": a row is not complete");
     for (std::size_t k = 0; k < places.size(); ++k)
       values[k].push_back(number_in<double>(cells[places[k]]).value_or(std::nan("")));

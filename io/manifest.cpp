@@ -10,6 +10,7 @@
 
 #include "engine/base/hasher.h"
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 #include "io/text_reader.h"
 
 namespace furnas {
@@ -48,10 +49,11 @@ void write_manifest(const fs::path& folder, const std::string& program) {
       hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
       bytes += static_cast<std::uint64_t>(in.gcount());
     }
+    if (in.bad()) throw InputError(path.string() + " cannot be read to its end");
     files[path.lexically_relative(folder).string()] = {{"bytes", bytes},
                                                        {"xxh3", fmt::format("{:016x}", hasher.value())}};
   });
-  write_file(folder / name, nlohmann::ordered_json{{"program", program}, {"files", files}}.dump(2) + "\n");
+  write_file(folder / name, json_text({{"program", program}, {"files", files}}));
 }
 
 }  // namespace furnas

@@ -16,7 +16,10 @@ struct VtpField {
   OutputField about;
 };
 
+/// The arrays of packing.vtp.
 std::span<const VtpField> packing_vtp_fields();
+
+/// The arrays of contacts.vtp.
 std::span<const VtpField> contacts_vtp_fields();
 
 /// The properties of the second line of an extended XYZ file.

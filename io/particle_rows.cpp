@@ -10,6 +10,7 @@
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
+#include "engine/state/shorter_edges.h"
 #include "engine/state/species.h"
 #include "engine/state/validate.h"
 #include "io/species_type.h"
@@ -18,6 +19,8 @@ namespace furnas {
 namespace {
 
 bool above_zero(double value) { return std::isfinite(value) && value > 0; }
+
+constexpr double most_tilt = 1e6;  // in edges; beyond it images of particles cannot be counted
 
 bool spans_a_cell(const Triangle& h) {
   return finite(h) && h.xx > 0 && h.yy > 0 && h.zz > 0 && above_zero(h.determinant());
@@ -93,6 +96,9 @@ void check_edges(const TextReader& reader, const Triangle& h) {
     reader.fail(
         fmt::format("the cell has the lengths {} {} {}; they and the volume must be above zero and finite",
                     h.xx, h.yy, h.zz));
+  if (is_tilted(h, most_tilt))
+    reader.fail(fmt::format("the cell has the tilts {} {} {}; allowed: up to {:g} edges", h.xy, h.xz, h.yz,
+                            most_tilt));
 }
 
 bool wrap(const Vec3<double>& place, Fraction& fraction, Image& image) {

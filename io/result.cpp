@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/atomic_file.h"
+#include "io/json_text.h"
 #include "io/result_fields.h"
 
 namespace furnas {
@@ -38,7 +39,7 @@ const char* remark_on_thickness(double diameters) {
 void write_result(const Result& r, const Case& c, const std::filesystem::path& path) {
   Json json;
   for (const ResultField& field : result_fields()) place_of(field.about.name, json) = field.value(r, c);
-  write_file(path, json.dump(2) + "\n");
+  write_file(path, json_text(json));
 }
 
 }  // namespace furnas

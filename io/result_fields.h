@@ -31,7 +31,9 @@ struct RestingField {
 
 /// All fields, in the order of the file; "rattlers" and "resting_states" are lists with fields of their own.
 std::span<const ResultField> result_fields();
+/// The fields of an element of "rattlers".
 std::span<const RattlerField> rattler_fields();
+/// The fields of an element of "resting_states".
 std::span<const RestingField> resting_fields();
 
 }  // namespace furnas

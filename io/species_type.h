@@ -8,6 +8,9 @@
 
 namespace furnas {
 
+/// Largest number of a type that a file may have; LAMMPS files name every type up to the largest.
+constexpr std::int32_t most_types = 1'000'000;
+
 /// The default type of a species in files.
 inline std::int32_t type_of(Species species) { return species == Species::large ? 1 : 2; }
 

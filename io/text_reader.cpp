@@ -13,6 +13,7 @@
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/state/packing.h"
+#include "io/species_type.h"
 
 namespace furnas {
 namespace {
@@ -135,14 +136,15 @@ std::int64_t TextReader::integer(std::string_view word, std::string_view name) c
 
 std::int32_t TextReader::particle_type(std::string_view word) const {
   const std::int64_t value = integer(word, "the type");
-  if (value < 1 || value > std::numeric_limits<std::int32_t>::max())
-    fail(fmt::format("the type is {}; allowed: 1 to {}", value, std::numeric_limits<std::int32_t>::max()));
+  if (value < 1 || value > most_types)
+    fail(fmt::format("the type is {}; allowed: 1 to {}", value, most_types));
   return static_cast<std::int32_t>(value);
 }
 
 std::int32_t TextReader::image(std::string_view word) const {
   const std::int64_t value = integer(word, "the image");
-  if (std::abs(value) > 1'000'000'000) fail("the image is beyond 1e9 cells");
+  constexpr std::int64_t most = 1'000'000'000;
+  if (value < -most || value > most) fail("the image is beyond 1e9 cells");
   return static_cast<std::int32_t>(value);
 }
 

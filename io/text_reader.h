@@ -53,7 +53,7 @@ class TextReader {
   double positive(std::string_view word, std::string_view name) const;
   /// A whole number.
   std::int64_t integer(std::string_view word, std::string_view name) const;
-  /// The type of a particle: 1 or more.
+  /// The type of a particle: 1 to `most_types`.
   std::int32_t particle_type(std::string_view word) const;
   /// Cells that a particle has crossed along an edge, up to 1e9.
   std::int32_t image(std::string_view word) const;

@@ -97,7 +97,7 @@ void read_species(VtpReader& file, Packing& packing) {
   std::vector<std::int32_t> types;
   if (file.has("PointData", "type"))
     for (const double type : file.numbers("PointData", "type", file.points(), 1)) {
-      types.push_back(static_cast<std::int32_t>(whole(file, type, 2147483647, "type")));
+      types.push_back(static_cast<std::int32_t>(whole(file, type, most_types, "type")));
       if (types.back() < 1) file.fail("the type must be 1 or more");
     }
   if (!file.has("PointData", "species")) return label_by_types(packing, std::move(types), {});

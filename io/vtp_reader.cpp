@@ -189,10 +189,10 @@ std::string VtpReader::unpack(std::uint64_t at, std::uint64_t expected) {
     const std::size_t begin = result.size();
     result.resize(begin + static_cast<std::size_t>(size));
     uLongf made = size;
-    if (uncompress(reinterpret_cast<Bytef*>(result.data() + begin), &made,
-                   reinterpret_cast<const Bytef*>(stored.data()), stored.size()) != Z_OK ||
-        made != size)
-      fail("the data cannot be decompressed");
+    const int outcome = uncompress(reinterpret_cast<Bytef*>(result.data() + begin), &made,
+                                   reinterpret_cast<const Bytef*>(stored.data()), stored.size());
+    if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
+    if (outcome != Z_OK || made != size) fail("the data cannot be decompressed");
     from += stored.size();
   }
   if (result.size() != expected) fail("the data have another length than expected");

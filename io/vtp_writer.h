@@ -17,11 +17,11 @@ namespace furnas {
 
 /// The number type of an element of an array: its own type, or that of the components of a vector.
 template <class T>
-T number_in(const T&);
+T component_of(const T&);
 template <class T>
-T number_in(const Vec3<T>&);
+T component_of(const Vec3<T>&);
 template <class T, std::size_t size>
-T number_in(const std::array<T, size>&);
+T component_of(const std::array<T, size>&);
 
 /// The name of a type of numbers in VTK XML files.
 constexpr std::string_view vtk_type(double) { return "Float64"; }
@@ -45,7 +45,7 @@ struct DataArray {
 template <class Element>
 DataArray data_array(std::string_view name, std::size_t count, Element element) {
   using T = std::remove_cvref_t<decltype(element(std::size_t{}))>;
-  using Number = decltype(number_in(std::declval<T>()));
+  using Number = decltype(component_of(std::declval<T>()));
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(Number) == 0);
   return {.name = name,
           .type = vtk_type(Number{}),

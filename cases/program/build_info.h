@@ -12,6 +12,7 @@ struct BuildInfo {
   std::string_view flags;     ///< of the compiler, including those of the build type
 };
 
+/// That of this program.
 const BuildInfo& build_info();
 
 }  // namespace furnas

@@ -14,7 +14,7 @@
 #include "cases/program/program.h"
 
 // The commands of the program, one line each, in the order of the help. `command(verb)` stands for the
-// function Command verb_command() of cases/commands/.
+// function Command verb_command() of cases/program/commands/.
 // clang-format off
 #define FURNAS_COMMANDS(command) \
   command(new)                   \

@@ -11,6 +11,7 @@
 #include "engine/simulation.h"
 #include "io/case_file.h"
 #include "io/formats.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 
@@ -75,7 +76,8 @@ std::optional<Case> case_about(const PackingSource& source, const std::string& f
   if (source.of_case) return source.of_case;
   const fs::path folder = fs::absolute(folder_or_file).parent_path();
   for (const fs::path& of_run : {fs::path(folder_or_file), folder, folder.parent_path()})
-    if (fs::exists(of_run / "case.resolved.toml")) return read_case(of_run / "case.resolved.toml");
+    if (const fs::path file = of_run / "case.resolved.toml"; fs::exists(file))
+      return parse_case(read_file(file), file.string());  // the start that the case names may be gone
   return {};
 }
 

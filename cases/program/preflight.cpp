@@ -63,13 +63,6 @@ double steps_of_window(const Case& c, double smallest) {
 }
 
 /// The origin of the time step: a key, or the rule of the automatic choice.
-std::string choice_of_step(const Case& c) {
-  if (c.compaction.time_step_absolute) return "compaction.time_step_absolute";
-  if (c.compaction.time_step) return "compaction.time_step";
-  return c.contact.friction > 0 ? "auto: stable for a small sphere that sticks to eight others"
-                                : "auto: a tenth of a collision of two small spheres";
-}
-
 /// Refuses a run that cannot come to rest, or only after decades.
 std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
   if (c.compaction.cell == "fixed") return {};  // such a run is meant to end with its steps
@@ -162,11 +155,11 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   Preflight out;
   out.report += text_of(n);
   const AnyLaw law = law_of(protocol_of(c));
-  const double smallest = n.sizes.smallest, dt = time_step_of(protocol_of(c), smallest);
+  const double smallest = n.sizes.smallest;
+  const auto [dt, rule] = chosen_time_step(protocol_of(c), smallest);
   out.report += fmt::format(
       "time step {:.6g}, {:.3g} t_c ({}), {:.3f} of the stiffest pair's 1/frequency (stable below 2)\n", dt,
-      relative_time_step(protocol_of(c), smallest), choice_of_step(c),
-      dt * pair_frequency(law, lightest_pair(n)));
+      relative_time_step(protocol_of(c), smallest), rule, dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
   out.refusal = refusal_of_units(n, c);
   out.remark = unit_of_list(c) + remark_on_size_ratio(c);

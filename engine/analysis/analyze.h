@@ -68,6 +68,7 @@ struct Analysis {
 /// Shares of the mean normal force at which analyze() counts rattlers.
 inline constexpr std::array live_force_shares{0.0, 1e-3, 1e-2, 1e-1};
 
+/// Measures a packing. Throws InputError for options that do not suit the packing.
 Analysis analyze(const Packing& packing, const AnalysisOptions& options);
 
 }  // namespace furnas

@@ -21,6 +21,7 @@ struct Fabric {
   double anisotropy_by_chance() const;
 };
 
+/// The fabric of these contacts of a packing.
 Fabric fabric(const Packing& packing, const Selection& contacts);
 
 }  // namespace furnas

@@ -20,6 +20,8 @@ struct Histogram {
   double density(std::size_t bin) const;
 };
 
+/// Counts values between edges, which ascend. Values below the first and above the last edge are counted
+/// apart; a value on an edge belongs to the bin above it, on the last edge to the last bin.
 Histogram histogram(const std::vector<double>& values, std::vector<double> edges);
 
 /// Edges 0, width, 2 width ... up to at least `most`.

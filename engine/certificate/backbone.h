@@ -36,6 +36,7 @@ struct Percolation {
   int directions{};  ///< independent lattice vectors along which a piece connects to its own image, 0 to 3
 };
 
+/// How the contacts of a backbone hang together.
 Percolation percolation(const Backbone& backbone);
 
 }  // namespace furnas

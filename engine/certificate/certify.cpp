@@ -163,13 +163,14 @@ Part stability_part(const Modes& modes, std::size_t shown, std::int64_t sliding)
 }
 
 /// Text that names the particles with most of the kinetic energy of a motion, and their share of this energy.
-std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const Backbone& backbone) {
+std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const Backbone& backbone,
+                   const Packing& packing) {
   const Eigen::VectorXd energy = motion.inertia().cwiseProduct(z.cwiseAbs2());
   const Eigen::Index each = motion.per_particle();
-  std::vector<std::pair<double, std::uint32_t>> shares;
+  std::vector<std::pair<double, std::int64_t>> shares;
   for (Eigen::Index n = 0; n < motion.particles(); ++n)
     shares.emplace_back(energy.segment(each * n, each).sum() / energy.sum(),
-                        backbone.particles[static_cast<std::size_t>(n)] + 1);
+                        packing.id(backbone.particles[static_cast<std::size_t>(n)]));
   std::sort(shares.rbegin(), shares.rend());
   shares.resize(std::min<std::size_t>(shares.size(), 3));
   double share = 0;
@@ -182,7 +183,7 @@ std::string movers(const SmallMotion& motion, const Eigen::VectorXcd& z, const B
 /// `in_the_run`: growth with the contacts of the run, given only if these do not feel the cell's flow. If the
 /// forces do not balance, the packing still moves; growth is then reported but not judged.
 Part growth_part(const SmallMotion& motion, const Growth& growth, const std::optional<Growth>& in_the_run,
-                 const Backbone& backbone, Balance balance) {
+                 const Backbone& backbone, Balance balance, const Packing& packing) {
   const bool judged = balance != Balance::off;
   const GrowingMode* both_ways = growth.fastest();
   Part part;
@@ -216,7 +217,7 @@ Part growth_part(const SmallMotion& motion, const Growth& growth, const std::opt
                 : judged        ? "The packing is not at a stable rest: a small motion grows"
                                 : "A small motion of this state grows";
     part.note += " e-fold in " + std::to_string(std::lround(1 / shown->rate())) + " time units; " +
-                 movers(motion, shown->motion, backbone) + ".";
+                 movers(motion, shown->motion, backbone, packing) + ".";
     if (!growth.certain) part.note += " A contact that turns back sticks, and may hold it.";
     if (!judged) part.note += " The forces do not balance yet: what grows here need not grow where they do.";
   }
@@ -298,7 +299,7 @@ Certificate certify(const Packing& packing, const CertificateTerms& terms) {
                        friction_part(network, backbone, terms),
                        constraint_part(network, backbone, terms.cell.freedom),
                        stability_part(modes, shown, friction_state(network, backbone).sliding),
-                       growth_part(small, growth, in_the_run, backbone, certificate.balance),
+                       growth_part(small, growth, in_the_run, backbone, certificate.balance, packing),
                        moduli_part(moduli, terms.cell.freedom)};
   return certificate;
 }

@@ -30,6 +30,7 @@ struct CertificateTerms {
 /// Quality of the force balance.
 enum class Balance { off, loose, tight };
 
+/// The word for it in reports.
 const char* to_string(Balance balance);
 
 /// The results of all parts of the certificate of a packing.

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <new>
+#include <string>
 #include <vector>
 
 #include "engine/base/require.h"
@@ -44,8 +46,8 @@ class Compliance::Factor {
         has_hold_(Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(matrix.rows(), false)) {
     Sparse with_holds = matrix;
     definite_.cholmod().print = 0;
-    definite_.analyzePattern(with_holds);
-    for (int refused = 0; definite_.factorize(with_holds), definite_.info() != Eigen::Success; ++refused) {
+    definite_.analyze(with_holds);
+    for (int refused = 0; !definite_.factor(with_holds); ++refused) {
       if (refused == most_refused) {
         indefinite_ = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
         return;
@@ -73,10 +75,32 @@ class Compliance::Factor {
  private:
   static constexpr int most_refused = 40;
 
-  /// A Cholesky factorization that also reports the column at which it stopped.
+  /// A Cholesky factorization that also reports the column at which it stopped, and what CHOLMOD cannot do.
+  /// Eigen reports success for a factor that CHOLMOD had no memory for.
   struct Cholesky : Eigen::CholmodSupernodalLLT<Sparse> {
+    void analyze(const Sparse& matrix) {
+      analyzePattern(matrix);
+      check(matrix.rows());
+    }
+    /// False if a pivot is not positive.
+    bool factor(const Sparse& matrix) {
+      factorize(matrix);
+      check(matrix.rows());
+      return info() == Eigen::Success;
+    }
     Index stopped_at() const {
       return static_cast<const int*>(m_cholmodFactor->Perm)[m_cholmodFactor->minor];
+    }
+
+   private:
+    /// Throws std::bad_alloc without memory, and InputError for a matrix that CHOLMOD cannot factor.
+    void check(Index rows) {
+      const int status = cholmod().status;
+      if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+      if (status < CHOLMOD_OK || m_cholmodFactor == nullptr)
+        throw InputError(
+            "the stiffness matrix of " + std::to_string(rows) +
+            " unknowns is too large for CHOLMOD, which counts the entries of a factor in 32 bits");
     }
   };
 

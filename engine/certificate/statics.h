@@ -28,6 +28,7 @@ struct Imbalance {
   double largest_torque{};  ///< |net torque|/(load R)
 };
 
+/// Net forces and torques on the particles of the backbone.
 Imbalance imbalance(const ContactNetwork& network, const Backbone& backbone);
 
 /// Sum of branch (x) force over the contacts, over V; positive in compression [k_n/d_s].
@@ -40,6 +41,7 @@ struct FrictionState {
   std::int64_t sliding{};   ///< bonds at the limit
 };
 
+/// How near the contacts of the backbone are to Coulomb's limit.
 FrictionState friction_state(const ContactNetwork& network, const Backbone& backbone);
 
 }  // namespace furnas

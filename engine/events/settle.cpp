@@ -98,11 +98,11 @@ void Settle::restore(const std::string& saved) {
   std::vector<PhiRecord::Span> spans;
   for (PhiRecord::Span s; read && numbers.more(); spans.push_back(s))
     read = numbers.take(s.looks, s.end, s.low, s.high, s.stress_error) && s.looks > 0 && s.low <= s.high;
-  if (!read)
-    throw InputError(
-        "a run remembers \"" + saved +
-        "\" where it must remember a step, a bound, and spans of looks with a step, two fractions and an "
-        "error of the stress");
+  if (!read || spans.size() > PhiRecord::most_spans)
+    throw InputError("a run remembers \"" + saved.substr(0, 200) +
+                     "\" where it must remember a step, a bound, and up to 64 spans of looks with a step, "
+                     "two fractions and an "
+                     "error of the stress");
   past_.restore(std::move(spans));
 }
 

@@ -29,10 +29,9 @@ class PhiRecord {
 
   const std::vector<Span>& spans() const { return spans_; }
   void restore(std::vector<Span> spans) { spans_ = std::move(spans); }
-
- private:
   static constexpr std::size_t most_spans = 64;
 
+ private:
   std::vector<Span> spans_;  // oldest first
 };
 

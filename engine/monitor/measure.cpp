@@ -25,19 +25,14 @@ void measure_stress(const Packing& p, Measures& m) {
 
 void measure_contacts(const Packing& p, Measures& m) {
   std::int64_t sliding = 0;
-  double push = 0, stiffness = 0;  // sums over contacts: force and stiffness against an isotropic strain
   for (const Contact& c : p.contacts) {
     m.mean_force += norm(c.force);
     m.largest_overlap = std::max(m.largest_overlap, c.overlap / std::min(p.radius[c.i], p.radius[c.j]));
     sliding += c.sliding;
-    const double along = dot(c.force, c.branch);  // f d
-    push += along;
-    stiffness += along * norm(c.branch) / c.overlap;
   }
   m.contacts = static_cast<std::int64_t>(p.contacts.size());
   m.coordination = 2 * static_cast<double>(m.contacts) / static_cast<double>(p.size());
   if (m.contacts == 0) return;
-  m.unloading_strain = stiffness > 0 ? push / stiffness : 0;
   m.mean_force /= static_cast<double>(m.contacts);
   m.sliding_share = static_cast<double>(sliding) / static_cast<double>(m.contacts);
 }
@@ -79,6 +74,18 @@ Measures measure(const Packing& p, int backbone_threshold) {
     if (threshold == backbone_threshold) measure_backbone(p, out, m);
   }
   return m;
+}
+
+double unloading_strain(const Packing& p, const AnyLaw& law) {
+  double push = 0, stiffness = 0;  // of all contacts, against an isotropic strain
+  for (const Contact& c : p.contacts) {
+    const double distance = norm(c.branch);
+    const ContactStiffness spring = stiffness_of(
+        law, resting_touch(p.radius[c.i], p.radius[c.j], reduced_mass(p.mass[c.i], p.mass[c.j]), c.overlap));
+    push += spring.push * distance;
+    stiffness += spring.normal * distance * distance;
+  }
+  return stiffness > 0 ? push / stiffness : 0;
 }
 
 }  // namespace furnas

@@ -44,17 +44,24 @@ double time_unit_of(const Protocol& p) {
   return collision_time(law, pair).value_or(undamped);
 }
 
-double time_step_of(const Protocol& p, double smallest) {
-  if (p.time_step_absolute) return *p.time_step_absolute;
-  if (p.time_step) return *p.time_step * time_unit_of(p);
+TimeStep chosen_time_step(const Protocol& p, double smallest) {
+  if (p.time_step_absolute) return {*p.time_step_absolute, "compaction.time_step_absolute"};
+  if (p.time_step) return {*p.time_step * time_unit_of(p), "compaction.time_step"};
   const AnyLaw law = law_of(p);
+  const bool friction = has_friction(law);
   const Touch<double> pair = equal_pair(smallest);
   const double limit = largest_stable_step(law, pair) / 3;
-  const double of_collision =
-      (has_friction(law) ? 0.08 : 0.1) * collision_time(law, pair).value_or(limit / 0.08);
+  const double of_collision = (friction ? 0.08 : 0.1) * collision_time(law, pair).value_or(limit / 0.08);
   constexpr int neighbours = 8;  // docs/developer/decisions/length-of-a-step.md
-  return std::min({of_collision, limit, largest_stable_step_among(law, pair, neighbours)});
+  return std::min<TimeStep>({{of_collision, friction ? "auto: 0.08 of a collision of two small spheres"
+                                                     : "auto: a tenth of a collision of two small spheres"},
+                             {limit, "auto: a third of the largest stable step of two small spheres"},
+                             {largest_stable_step_among(law, pair, neighbours),
+                              "auto: stable for a small sphere that sticks to eight others"}},
+                            [](const TimeStep& a, const TimeStep& b) { return a.length < b.length; });
 }
+
+double time_step_of(const Protocol& p, double smallest) { return chosen_time_step(p, smallest).length; }
 
 double relative_time_step(const Protocol& p, double smallest) {
   return time_step_of(p, smallest) / time_unit_of(p);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/events/at_rest.h"
@@ -50,10 +51,19 @@ Touch<double> equal_pair(double diameter);
 /// undamped pair if the pair is overdamped [time].
 double time_unit_of(const Protocol& protocol);
 
-/// The time step [time]. If the program chooses it, the step follows from a pair of the smallest spheres, of
-/// diameter `smallest` [d_s]. It is 0.1 of their collision time (0.08 with friction), but at most a third of
-/// their largest stable step, and at most the step that is stable for a sphere in sticking contact with eight
-/// others of its size (docs/developer/decisions/length-of-a-step.md).
+/// A time step, and what sets it.
+struct TimeStep {
+  double length = 0;      ///< [time]
+  std::string_view rule;  ///< a key of the case file, or one of the rules of an automatic step
+};
+
+/// The time step of a protocol. If the program chooses it, the step follows from a pair of the smallest
+/// spheres, of diameter `smallest` [d_s]. It is 0.1 of their collision time (0.08 with friction), but at most
+/// a third of their largest stable step, and at most the step that is stable for a sphere in sticking contact
+/// with eight others of its size (docs/developer/decisions/length-of-a-step.md).
+TimeStep chosen_time_step(const Protocol& protocol, double smallest = 1);
+
+/// The length of that step [time].
 double time_step_of(const Protocol& protocol, double smallest = 1);
 
 /// The same in units of t_c.

@@ -47,7 +47,10 @@ ProtocolRun::ProtocolRun(const Protocol& protocol, const Packing& reached, int t
       past_(past),
       goes_on_(true) {
   watch_.restore(past.watch);
-  if (!reached_.empty()) simulation_->set_bath(baths_.at(reached_.size()));
+  if (reached_.size() >= baths_.size())
+    throw InputError("the packing has come to rest at " + std::to_string(reached_.size()) +
+                     " pressures, and the case has " + std::to_string(baths_.size()));
+  if (!reached_.empty()) simulation_->set_bath(baths_[reached_.size()]);
 }
 
 void ProtocolRun::begin(Onlookers onlookers) {

@@ -30,13 +30,19 @@ void refuse_collapsed(const std::array<double, 3>& heights, double cutoff) {
 std::array<std::int64_t, 3> bins_along(const std::array<double, 3>& heights, double cutoff,
                                        std::size_t particles) {
   std::array<double, 3> wanted{};
-  double all = 1;
-  for (int axis = 0; axis < 3; ++axis) all *= wanted[axis] = std::max(heights[axis] / cutoff, 1.0);
+  for (int axis = 0; axis < 3; ++axis) wanted[axis] = std::max(heights[axis] / cutoff, 1.0);
   const double most = 2 * static_cast<double>(particles) + 8;
-  const double shrink = all > most ? std::cbrt(most / all) : 1;
+  // An edge that has become one bin long leaves what is still too much to the others.
+  for (int round = 0; round < 3; ++round) {
+    const double all = wanted[0] * wanted[1] * wanted[2];
+    const auto longer = std::count_if(wanted.begin(), wanted.end(), [](double bins) { return bins > 1; });
+    if (all <= most || longer == 0) break;
+    const double shrink = std::pow(most / all, 1.0 / static_cast<double>(longer));
+    for (double& bins : wanted)
+      if (bins > 1) bins = std::max(bins * shrink, 1.0);
+  }
   std::array<std::int64_t, 3> count{};
-  for (int axis = 0; axis < 3; ++axis)
-    count[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(wanted[axis] * shrink));
+  for (int axis = 0; axis < 3; ++axis) count[axis] = static_cast<std::int64_t>(wanted[axis]);
   return count;
 }
 

@@ -34,7 +34,7 @@ std::int32_t cells_to_nearest(std::uint64_t i, std::uint64_t j) {
   return (i < j && !nearest_is_negative ? 1 : 0) - (i >= j && nearest_is_negative ? 1 : 0);
 }
 
-std::int32_t floored_quotient(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+std::int64_t floored_quotient(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 /// One edge of the packing and of its replica.
 struct Edge {
@@ -48,7 +48,7 @@ struct Edge {
   /// Number of new cells crossed by the copy in `cell`, such that the unwrapped positions of the copies
   /// differ by whole old cells.
   std::int32_t image(const Image& image, std::int32_t cell) const {
-    return floored_quotient(image[axis] - cell + times - 1, times);
+    return static_cast<std::int32_t>(floored_quotient(std::int64_t{image[axis]} - cell + times - 1, times));
   }
 };
 

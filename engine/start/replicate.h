@@ -14,6 +14,7 @@ namespace furnas {
 /// Number of repetitions of a cell along each of its edges, 1 or more.
 using Times = std::array<std::int32_t, 3>;
 
+/// Number of copies of the cell in all.
 inline std::size_t copies_of(const Times& times) {
   return static_cast<std::size_t>(times[0]) * static_cast<std::size_t>(times[1]) *
          static_cast<std::size_t>(times[2]);

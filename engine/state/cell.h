@@ -46,6 +46,7 @@ inline Triangle inverse(const Triangle& h) {
   return g;
 }
 
+/// The matrix product a b.
 inline Triangle product(const Triangle& a, const Triangle& b) {
   return {a.xx * b.xx,
           a.yy * b.yy,

@@ -32,15 +32,13 @@ struct Measures {
   double force_imbalance{};          ///< mean |net force| on the backbone/mean contact force
   double mean_force{};               ///< mean |contact force| [k_n d_s]
   double largest_overlap{};          ///< largest overlap/smaller radius of its pair
-  /// The strain that would reduce the pressure to 0 if every contact followed it: sum f d/sum (f/overlap)
-  /// d^2, where d is the distance of the centres and f the normal force.
-  double unloading_strain{};
-  std::int64_t contacts{};                 ///< all of them, live or not
-  double coordination{};                   ///< 2 contacts/N, rattlers included
-  double sliding_share{};                  ///< share of the contacts at the Coulomb limit
+  double unloading_strain{};  ///< the strain that would reduce the pressure to 0 if every contact followed it
+  std::int64_t contacts{};    ///< all of them, live or not
+  double coordination{};      ///< 2 contacts/N, rattlers included
+  double sliding_share{};     ///< share of the contacts at the Coulomb limit
   std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4
   int backbone_threshold{};                ///< the z_min whose backbone is used above
-  std::int64_t rebuilds{};                 ///< neighbour lists built since the start of this process
+  std::int64_t rebuilds{};                 ///< neighbour lists built since the run began
   Energy energy;                           ///< of the particles, all together
   Ledger ledger;                           ///< where the energy came from and went
 

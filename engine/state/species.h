@@ -13,6 +13,8 @@ struct Sizes {
   std::size_t count{};           ///< number of different sizes
   double smallest{}, largest{};  ///< diameters [d_s]
 };
+
+/// The sizes that these radii [d_s] have.
 Sizes sizes_of(const std::vector<double>& radius);
 
 /// The species from the sizes. With two sizes, the spheres of the larger size are `large` and the others

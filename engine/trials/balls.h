@@ -54,6 +54,7 @@ double kinetic_energy(const Packing& packing);
 /// Energy of the contacts: sum of overlap^2/2 + k_t history^2/2 [k_n d_s^2].
 double elastic_energy(const Packing& packing, double tangential_stiffness = 1);
 
+/// Sum of m v [rho d_s^4/time].
 Vec3<double> momentum(const Packing& packing);
 
 /// The conserved quantity [k_n d_s^2] of a packing in a bath of pressure p_a, without damping, friction and

@@ -119,6 +119,17 @@ TEST(Analyze, OfPositionsTakesOverlapsForContacts) {
   EXPECT_NEAR(mean(found), mean(known), 0.01 * mean(known));
 }
 
+// The case of a run may name a start that is gone.
+TEST(Analyze, OfAPackingWhoseStartIsGone) {
+  const Runs runs("[stop]\nsteps = 10\n[output]\npicture = \"none\"\n");
+  const std::string start = runs.path("start.vtp");
+  ASSERT_EQ(runs.run("first", {"mixture.large=100"}).code, ExitCode::budget_spent);
+  fs::copy_file(runs.path("first/packing.vtp"), start);
+  ASSERT_EQ(runs.run("second", {"start.file=" + start}).code, ExitCode::budget_spent);
+  fs::remove(start);
+  EXPECT_EQ(furnas({"analyze", runs.path("second/packing.vtp")}).code, ExitCode::done);
+}
+
 TEST(Analyze, OfAGasHasPairsAlone) {
   const Runs runs;
   const Packing gas = spheres_at(20, {{1, 1, 1}, {5, 5, 5}, {9, 1, 9}});

@@ -78,8 +78,8 @@ TEST_F(Commands, NewRefusesUnknownTemplatesAndPlaces) {
   EXPECT_EQ(furnas({"new", "momo", path("momo.toml")}), ExitCode::bad_case);
   EXPECT_THAT(err_, HasSubstr("mono, frictionless, bidisperse, paper, smoke"));
   EXPECT_FALSE(fs::exists(path("momo.toml")));
-  EXPECT_EQ(furnas({"new", "mono", path("no/such/folder.toml")}), ExitCode::bad_case);
-  EXPECT_THAT(err_, HasSubstr("cannot be written"));
+  EXPECT_EQ(furnas({"new", "mono", path("no/such/folder.toml")}), ExitCode::output_failed);
+  EXPECT_THAT(err_, HasSubstr("cannot create the file"));
 }
 
 TEST_F(Commands, TemplatesAreTheCaseFiles) {

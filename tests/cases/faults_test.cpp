@@ -119,7 +119,7 @@ class Faults : public testing::Test {
 using ReliableFaults = Faults;
 using NightlyFaults = Faults;
 
-/// Every third call on a file, with a kind of fault each in turn; the others at night.
+/// Every fifth call on a file, with a kind of fault each in turn; the others at night.
 TEST_F(ReliableFaults, SomeCallsOnFilesFail) {
   const Fault kinds[] = {
       {"ENOSPC", ENOSPC, false}, {"EIO", EIO, false}, {"ENOSPC for good", ENOSPC, true}, {"kill", 0, false}};

@@ -32,7 +32,7 @@ std::vector<std::string> names_in_section(const std::string& page, const std::st
 std::vector<std::string> header_of(const std::string& table, std::size_t keys) {
   std::istringstream text(table);
   std::vector<std::string> names;
-  read_csv_row(text, names);
+  read_csv_row(text, names, "table");
   names.erase(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(keys));
   return names;
 }

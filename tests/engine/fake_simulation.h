@@ -38,7 +38,6 @@ class FakeSimulation : public Simulation {
     changed.cell.rate = rate;
     loaded_ = changed;
   }
-  void set_time_step(double time_step) override { model_.time_step = time_step; }
   void set_bath(const Barostat& bath) override { model_.barostat = bath; }
   int threads() const override { return 1; }
   NeighbourCounts neighbours() const override { return {.builds = 17}; }

@@ -14,7 +14,7 @@ using Cells = std::vector<std::string>;
 std::vector<Cells> parsed(const std::string& text) {
   std::istringstream file(text);
   std::vector<Cells> rows;
-  for (Cells cells; read_csv_row(file, cells);) rows.push_back(cells);
+  for (Cells cells; read_csv_row(file, cells, "a.csv");) rows.push_back(cells);
   return rows;
 }
 
@@ -47,6 +47,9 @@ TEST(Csv, TakesLooseQuotesAsTheyStand) {
 TEST(Csv, RefusesQuotesThatAreNeverClosed) {
   EXPECT_EQ(parsed("\"a\nb\",c\n").size(), 1u);
   EXPECT_THROW(parsed("\"a\nb,c\n"), InputError);
+  std::string table = "\"a\n";
+  for (int row = 0; row < 100'000; ++row) table += "0.123456789,0.123456789\n";
+  EXPECT_THROW(parsed(table), InputError) << "soon, and not after parsing the table once for each row";
 }
 
 TEST(WithoutCommas, NeedsNoQuotes) {

@@ -31,5 +31,17 @@ TEST(Manifest, NamesEachFileWithItsSizeAndHash) {
   fs::remove_all(folder);
 }
 
+// A name may have bytes that JSON cannot hold, such as those of Latin-1.
+TEST(Manifest, NamesFilesOfAnyEncoding) {
+  const fs::path folder = fs::path(testing::TempDir()) / "furnas_manifest_latin";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::ofstream(folder / "gr\xfc\xdf.txt") << "jammed";
+  write_manifest(folder, "furnas test");
+  const auto manifest = nlohmann::json::parse(std::ifstream(folder / "manifest.json"));
+  EXPECT_EQ(manifest.at("files").at("gr\uFFFD\uFFFD.txt").at("bytes"), 6);
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace furnas

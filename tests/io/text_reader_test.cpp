@@ -35,7 +35,7 @@ TEST(ReadLine, TakesMissingMemoryForNoEnd) {
   EXPECT_THROW(read_line(stream, line), std::bad_alloc);
   std::istream table(&none);
   std::vector<std::string> cells;
-  EXPECT_THROW(read_csv_row(table, cells), std::bad_alloc);
+  EXPECT_THROW(read_csv_row(table, cells, "table"), std::bad_alloc);
 }
 
 TEST(TextReader, GoesThroughLinesAndWords) {

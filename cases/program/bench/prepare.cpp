@@ -36,7 +36,8 @@ std::string_view case_text(double ratio) {
 std::string verdict_in(const fs::path& folder) {
   std::ifstream file(folder / "result.json");
   const auto result = nlohmann::json::parse(file, nullptr, false);
-  return result.is_object() ? result.value("verdict", "") : "";
+  const auto verdict = result.is_object() ? result.find("verdict") : result.end();
+  return verdict != result.end() && verdict->is_string() ? verdict->get<std::string>() : "";
 }
 
 ExitCode make(double ratio, const PrepareOrder& order, Console console) {

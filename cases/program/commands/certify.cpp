@@ -121,9 +121,7 @@ std::filesystem::path start_beside(std::filesystem::path file) {
 void check_kick(const std::filesystem::path& file) {
   if (file.extension() != ".toml")
     throw InputError("--kick " + file.string() + ": allowed: a name that ends in .toml");
-  for (const std::filesystem::path& written : {file, start_beside(file)})
-    if (std::filesystem::exists(written))
-      throw InputError("--kick: " + written.string() + " exists and is not overwritten; give another name");
+  for (const std::filesystem::path& written : {file, start_beside(file)}) refuse_existing(written);
   make_folder_of(file);
 }
 

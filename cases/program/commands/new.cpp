@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "cases/program/case_templates.h"
 #include "cases/program/commands/command.h"
 #include "engine/base/require.h"
+#include "io/atomic_file.h"
 
 namespace furnas {
 namespace {
@@ -62,24 +58,14 @@ std::string known_names() {
   return list;
 }
 
-/// Writes a file that must not exist yet.
-void write_new(const std::string& file, std::string_view text) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "wx"), &std::fclose);
-  if (!stream && errno == EEXIST)
-    throw InputError(fmt::format("{} exists and is not overwritten; give another name", file));
-  if (!stream)
-    throw InputError(fmt::format("{} cannot be written: {}", file, std::generic_category().message(errno)));
-  if (std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() || std::fflush(stream.get()) != 0)
-    throw InputError(fmt::format("{} cannot be written: {}", file, std::generic_category().message(errno)));
-}
-
 ExitCode run(const NewOptions& options, Console console) {
   const auto* const name = std::find_if(templates.begin(), templates.end(),
                                         [&](const Name& known) { return known.name == options.name; });
   if (name == templates.end())
     throw InputError(fmt::format("TEMPLATE = {} is unknown; allowed: {}", options.name, known_names()));
   const std::string file = options.file.empty() ? options.name + ".toml" : options.file;
-  write_new(file, text_of(*name));
+  refuse_existing(file);
+  write_file(file, text_of(*name));
   console.out << fmt::format("{}: {}\nnext: furnas run {}\n", file, title(*name), file);
   return ExitCode::done;
 }

@@ -27,11 +27,19 @@ struct SweepOptions {
   bool refine = false, leave = false, slurm = false;
 };
 
+/// The assignment with the whole path if it names a file.
+std::string from_anywhere(const std::string& assignment) {
+  for (const std::string_view key : {"start.file=", "mixture.diameters="})
+    if (assignment.starts_with(key))
+      return std::string(key) + fs::absolute(assignment.substr(key.size())).lexically_normal().string();
+  return assignment;
+}
+
 /// The command line of a worker, which also works from another current directory.
 std::vector<std::string> command_of(const SweepOptions& o, const fs::path& folder) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep",
                                  fs::absolute(o.file).lexically_normal().string(), "--out", folder.string()};
-  for (const std::string& assignment : o.set) words.insert(words.end(), {"--set", assignment});
+  for (const std::string& assignment : o.set) words.insert(words.end(), {"--set", from_anywhere(assignment)});
   if (o.samples > 0) words.insert(words.end(), {"--samples", std::to_string(o.samples)});
   if (o.refine) words.emplace_back("--refine");
   if (!o.takeover.empty()) words.insert(words.end(), {"--takeover", o.takeover});

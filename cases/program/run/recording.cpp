@@ -167,7 +167,9 @@ Checkpoints::Found Checkpoints::find_newest(const std::filesystem::path& folder)
       note(error);
     }
   }
-  std::sort(files.rbegin(), files.rend());
+  // Of two checkpoints of the same step the first name counts as the newer one.
+  std::stable_sort(files.begin(), files.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   // Packings are read one after the other, because the memory may not be enough for two.
   for (const auto& [step, name] : files) {
     try {

@@ -80,8 +80,7 @@ class Checkpoints {
   /// reading it took `seconds`.
   Checkpoints(std::filesystem::path folder, const std::string& file, double seconds);
 
-  /// Overwrites the older checkpoint. Throws NumericalFailure for a packing that is not sound and must not
-  /// replace a good one.
+  /// Overwrites the older checkpoint. The caller has checked that the packing is sound.
   void write(const CheckpointView& checkpoint);
 
   /// The longest time to write a checkpoint; before the first, the time to read one.

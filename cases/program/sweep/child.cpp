@@ -7,6 +7,7 @@
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
 #include <csignal>
+#include <cstdlib>
 #include <system_error>
 
 namespace furnas {
@@ -15,9 +16,10 @@ namespace {
 namespace bp = boost::process;
 
 /// Called in the new process, before the program starts.
-void part_from_parent() {
+void part_from(pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(EXIT_FAILURE);  // the parent has ended before the signal was set
 }
 
 }  // namespace
@@ -25,7 +27,7 @@ void part_from_parent() {
 Child::Child(const std::vector<std::string>& arguments, const std::filesystem::path& log)
     : process_("/proc/self/exe", bp::args(arguments),
                bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(),
-               bp::extend::on_exec_setup([](auto&) { part_from_parent(); })) {}
+               bp::extend::on_exec_setup([parent = ::getpid()](auto&) { part_from(parent); })) {}
 
 std::optional<int> Child::ended() {
   if (process_.running()) return {};

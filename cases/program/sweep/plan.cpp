@@ -196,24 +196,26 @@ SampleState state_of(const Sample& sample) {
                     sample.folder.string()));
   std::ifstream file(sample.folder / "result.json");
   const auto result = nlohmann::json::parse(file, nullptr, false);
-  if (result.is_object()) {
-    const std::string version = result.value("version", "an older version");
-    if (version != build_info().version)
-      throw InputError(
-          fmt::format("{} was made by furnas {} and this is furnas {}, whose samples may have other bits; "
-                      "use that version, "
-                      "remove the folder, or take another --out",
-                      sample.folder.string(), version, build_info().version));
-    const std::string verdict = result.value("verdict", "");
-    const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
-    const Case::Stop& stop = sample.resolved_case.stop;
-    const auto bound = result.find("phi_bound");
-    const bool as_asked =
-        bound != result.end() && bound->is_number() && bound->get<double>() < stop.phi_error;
-    if (verdict == "jammed" || (verdict == "settled" && as_asked) || verdict == "diverged" ||
-        (verdict == "budget" && all_steps))
-      return SampleState::finished;
-  }
+  if (result.is_object()) try {
+      const std::string version = result.value("version", "an older version");
+      if (version != build_info().version)
+        throw InputError(
+            fmt::format("{} was made by furnas {} and this is furnas {}, whose samples may have other bits; "
+                        "use that version, "
+                        "remove the folder, or take another --out",
+                        sample.folder.string(), version, build_info().version));
+      const std::string verdict = result.value("verdict", "");
+      const bool all_steps = result.value("steps", std::int64_t{0}) >= sample.resolved_case.stop.steps;
+      const Case::Stop& stop = sample.resolved_case.stop;
+      const auto bound = result.find("phi_bound");
+      const bool as_asked =
+          bound != result.end() && bound->is_number() && bound->get<double>() < stop.phi_error;
+      if (verdict == "jammed" || (verdict == "settled" && as_asked) || verdict == "diverged" ||
+          (verdict == "budget" && all_steps))
+        return SampleState::finished;
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError(fmt::format("{}: {}", (sample.folder / "result.json").string(), error.what()));
+    }
   return Checkpoints::none(sample.folder) ? SampleState::missing : SampleState::interrupted;
 }
 

@@ -186,6 +186,7 @@ class Pool {
 
   int threads_of(const Sample& sample) const {
     const int most = std::clamp(threads_for(static_cast<std::size_t>(sample.particles)), 1, limits_.jobs);
+    if (!(all_ > 0)) return 1;
     return std::clamp(static_cast<int>(std::ceil(sample.cost() / (all_ / limits_.jobs))), 1, most);
   }
 

@@ -63,8 +63,10 @@ void take_result(SampleRow& row, const Json& r) {
   for (const Json& count : r.at("rattlers")) {
     const int least = count.at("least_contacts");
     const auto n = static_cast<std::size_t>(least - 2);
-    row.large_rattlers.at(n) = count_in(count.at("large"));
-    row.small_rattlers.at(n) = count_in(count.at("small"));
+    if (n >= row.large_rattlers.size())
+      throw InputError(fmt::format("least_contacts is {}; allowed: 2, 3 and 4", least));
+    row.large_rattlers[n] = count_in(count.at("large"));
+    row.small_rattlers[n] = count_in(count.at("small"));
     if (least == threshold) row.backbone = number(count.at("backbone"));
   }
   if (row.settled()) row.phi_bound = number(r.at("phi_bound"));
@@ -81,7 +83,7 @@ SampleRow row_of(const Sample& sample) {
   const SampleState state = state_of(sample);
   if (std::ifstream file(sample.folder / "result.json"); file) try {
       take_result(row, Json::parse(file));
-    } catch (const Json::exception& error) {
+    } catch (const std::runtime_error& error) {  // of the JSON library, too
       throw InputError(fmt::format("{}: {}", (sample.folder / "result.json").string(), error.what()));
     }
   if (state == SampleState::finished) return row;
@@ -176,12 +178,12 @@ SampleTable read_sample_table(const fs::path& folder) {
   std::ifstream file(path);
   if (!file) throw InputError(path.string() + " cannot be read; allowed: the folder of a sweep");
   SampleTable table;
-  read_csv_row(file, table.keys);
+  read_csv_row(file, table.keys, path.string());
   const std::size_t width = table.keys.size();
   if (take_columns(table.keys) == 0)
     throw InputError(path.string() + ":1: the columns are not those that furnas sweep writes");
   std::vector<std::string> cells;
-  for (int number = 2; read_csv_row(file, cells); ++number) {
+  for (int number = 2; read_csv_row(file, cells, path.string()); ++number) {
     const std::string place = fmt::format("{}:{}", path.string(), number);
     if (cells.size() != width)
       throw InputError(fmt::format("{}: {} columns; allowed: {}", place, cells.size(), width));

@@ -39,6 +39,8 @@ minutes time_of_worker(minutes of_task) {
 }  // namespace
 
 SlurmArray array_for(const std::vector<Sample>& samples, const SlurmWishes& wishes) {
+  if (wishes.walltime && *wishes.walltime < minutes(2))
+    throw InputError("--walltime of a Slurm task is at least 2m, of which one is for saving the samples");
   const int count = std::max(1, static_cast<int>(samples.size()));
   double all = 0, longest = 0;  // [s of a core]
   for (const Sample& sample : samples) {

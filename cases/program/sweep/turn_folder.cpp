@@ -48,13 +48,18 @@ void copy_file_whole(const fs::path& from, const fs::path& to) {
   std::vector<char> bytes(std::size_t{1} << 20);
   while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
     copy.write({bytes.data(), static_cast<std::size_t>(file.gcount())});
+  if (file.bad()) throw InputError(from.string() + " cannot be read to its end");
   copy.commit();
 }
 
 /// Removes the files in an open folder, even if another folder now has its name.
 void empty(int folder) {
-  DIR* const entries = ::fdopendir(::dup(folder));
-  if (!entries) return;
+  const int own = ::dup(folder);
+  DIR* const entries = ::fdopendir(own);
+  if (!entries) {
+    if (own >= 0) ::close(own);
+    return;
+  }
   ::rewinddir(entries);
   while (const dirent* entry = ::readdir(entries)) {
     const std::string name = entry->d_name;

@@ -156,8 +156,8 @@ TEST_F(Plans, SamplesOfAnotherVersionAreRefused) {
   const Sample sample = sample_of(Case{}, {"contact.friction"}, path(""));
   fs::create_directories(sample.folder);
   write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
-  for (const char* result :
-       {R"({"verdict": "jammed", "steps": 5, "version": "0.0.1"})", R"({"verdict": "jammed"})"}) {
+  for (const char* result : {R"({"verdict": "jammed", "steps": 5, "version": "0.0.1"})",
+                             R"({"verdict": "jammed"})", R"({"version": null})", R"({"version": 3})"}) {
     write_file(sample.folder / "result.json", result);
     EXPECT_THROW(state_of(sample), InputError) << result;
   }

@@ -38,6 +38,11 @@ TEST(SlurmArrays, HaveTimeAndTasksForTwiceWhatIsForetold) {
   EXPECT_EQ(told.tasks, 8) << "320 h, twice, over 80 h a task";
 }
 
+TEST(SlurmArrays, NeedTimeToSave) {
+  EXPECT_THROW(array_for(samples_of_seconds(1, 1), {.walltime = minutes(1)}), InputError);
+  EXPECT_EQ(array_for(samples_of_seconds(1, 1), {.walltime = minutes(2)}).time, minutes(2));
+}
+
 TEST(SlurmScripts, CallTheWorkerWithLessTimeThanTheTask) {
   SlurmArray array{.tasks = 5, .cores = 8, .memory = 3.5e9, .time = minutes(240)};
   const std::string text =
@@ -62,6 +67,18 @@ TEST(SlurmScripts, AreWrittenWithTheCommandThatSubmitsThem) {
   EXPECT_THAT(script,
               HasSubstr(" sweep " + runs.path("case.toml") + " --out " + runs.path("out") + " --samples 3 "));
   EXPECT_FALSE(fs::exists(runs.path("out/samples"))) << "nothing is run";
+}
+
+// A task may start in another folder.
+TEST(SlurmScripts, NameFilesOfTheCommandLineByTheirWholePath) {
+  const Runs runs("[contact]\nfriction = 0.3\n");
+  write_file(runs.path("sizes.txt"), "1\n1.5\n2\n");
+  const std::string relative = fs::relative(runs.path("sizes.txt")).string();
+  const Ending answer = ending_of({"sweep", runs.path("case.toml"), "--out", runs.path("out"), "--slurm",
+                                   "--samples", "2", "--set", "mixture.diameters=" + relative});
+  ASSERT_EQ(answer.code, 0) << answer.out;
+  EXPECT_THAT(content(runs.path("out/sweep.sbatch")),
+              HasSubstr("mixture.diameters=" + runs.path("sizes.txt")));
 }
 
 }  // namespace

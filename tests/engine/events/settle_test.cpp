@@ -199,6 +199,9 @@ TEST(Settle, RefusesAMemoryThatIsNone) {
   for (const char* text :
        {"x", "1", "-1 0", "1 -1", "1 0 1 5 0.6 0.7", "1 0 1 5 0.7 0.6 0", "1 0 0 5 0.6 0.7 0", "1 0 x"})
     EXPECT_THROW(settle.restore(text), InputError) << text;
+  std::string long_past = "1 inf";
+  for (int span = 0; span < 65; ++span) long_past += " 1 5 0.6 0.7 0";
+  EXPECT_THROW(settle.restore(long_past), InputError);
   settle.restore("1 inf 1 5 0.6 0.7 0");
   EXPECT_EQ(settle.bound(), RestReport::unknown);
 }

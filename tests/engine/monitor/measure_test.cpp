@@ -41,8 +41,19 @@ TEST(Measure, ReadsOffTwoSpheres) {
   EXPECT_EQ(m.coordination, 1);
   EXPECT_NEAR(m.mean_force, std::sqrt(26.0), rounding);
   EXPECT_EQ(m.largest_overlap, 1);  // of the smaller radius
-  EXPECT_NEAR(m.unloading_strain, 0.5, rounding);
   EXPECT_EQ(m.sliding_share, 0);
+}
+
+// One contact is unloaded when its overlap is gone; damping forces do not count.
+TEST(UnloadingStrain, IsThatOfTheSprings) {
+  const HookeSynchronized law{{.normal_damping = 5}};
+  Packing p = two_spheres();
+  EXPECT_NEAR(unloading_strain(p, law), 0.5, rounding);
+  p.contacts.push_back(p.contacts[0]);
+  p.contacts[1].overlap = 0;  // has just formed, and only its damping pushes
+  EXPECT_NEAR(unloading_strain(p, law), 0.25, rounding);
+  p.contacts.clear();
+  EXPECT_EQ(unloading_strain(p, law), 0);
 }
 
 /// P V = branch (x) force + m v (x) v, its symmetric part: with friction the contact exerts a couple.

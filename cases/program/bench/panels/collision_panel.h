@@ -20,6 +20,7 @@ struct CollisionError {
 /// slip and spin when the contact slides throughout. The closed forms are in engine/trials/closed_form.h.
 std::vector<CollisionError> collision_errors(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<CollisionError>& errors);
 
 }  // namespace furnas

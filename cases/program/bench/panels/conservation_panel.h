@@ -21,6 +21,7 @@ struct ConservationError {
 /// bath.
 std::vector<ConservationError> conservation_errors(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<ConservationError>& errors);
 
 }  // namespace furnas

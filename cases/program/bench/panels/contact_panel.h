@@ -16,9 +16,11 @@ struct ContactError {
   double shear{};      ///< C44 of a face-centred crystal with stuck contacts
 };
 
-/// E2.
+/// Frequency and decay of a contact that stays closed, and the shear modulus of a crystal, against closed
+/// forms.
 std::vector<ContactError> contact_errors(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<ContactError>& errors);
 
 }  // namespace furnas

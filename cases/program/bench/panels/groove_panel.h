@@ -22,6 +22,7 @@ struct GrooveError {
 /// Errors in the panel `groove`: grooves with friction 0.5, wedges with friction 0.2.
 std::vector<GrooveError> groove_errors(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<GrooveError>& errors);
 
 }  // namespace furnas

@@ -19,6 +19,7 @@ struct ThreadsRow {
 /// Rows of the panel `threads`. Throws std::runtime_error if the final states differ.
 std::vector<ThreadsRow> thread_rows(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<ThreadsRow>& rows);
 
 }  // namespace furnas

@@ -23,6 +23,7 @@ struct TrajectoryError {
 /// the motion does not die out.
 std::vector<TrajectoryError> trajectory_errors(Effort effort);
 
+/// Table and charts of these results.
 PanelResult panel_of(const std::vector<TrajectoryError>& errors);
 
 }  // namespace furnas

@@ -21,6 +21,7 @@ enum class Standing {
   unfinished   ///< no sample has ended
 };
 
+/// The word for it in tables.
 const char* to_string(Standing standing);
 
 /// The standing of a difference for a margin.

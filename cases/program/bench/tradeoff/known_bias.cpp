@@ -23,9 +23,9 @@ using Row = std::map<std::string, std::string>;
 std::vector<Row> rows_of(std::string_view table) {
   std::istringstream file{std::string(table)};
   std::vector<std::string> names, cells;
-  read_csv_row(file, names);
+  read_csv_row(file, names, "the stored table of biases");
   std::vector<Row> rows;
-  while (read_csv_row(file, cells))
+  while (read_csv_row(file, cells, "the stored table of biases"))
     for (std::size_t k = rows.size(), n = (rows.emplace_back(), 0); n < std::min(names.size(), cells.size());
          ++n)
       rows[k][names[n]] = cells[n];

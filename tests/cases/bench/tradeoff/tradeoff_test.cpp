@@ -24,9 +24,9 @@ const std::string smoke_tradeoff = std::string(FURNAS_SOURCE_DIR) + "/cases/trad
 std::map<std::string, std::map<std::string, std::string>> rows_of_tradeoff(const std::string& folder) {
   std::ifstream file(folder + "/tradeoff.csv");
   std::vector<std::string> names, cells;
-  read_csv_row(file, names);
+  read_csv_row(file, names, "tradeoff.csv");
   std::map<std::string, std::map<std::string, std::string>> rows;
-  while (read_csv_row(file, cells))
+  while (read_csv_row(file, cells, "tradeoff.csv"))
     for (std::size_t k = 0; k < names.size(); ++k) rows[cells[0] + "/" + cells[1]][names[k]] = cells[k];
   return rows;
 }
