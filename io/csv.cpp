@@ -90,13 +90,16 @@ bool read_csv_row(std::istream& file, std::vector<std::string>& cells, const std
   std::string row, line;
   while (read_line(file, line)) {
     if (line.ends_with('\r')) line.pop_back();
+    // Only a quote closes a cell that an earlier line has opened.
+    const bool may_end = row.empty() || line.find('"') != line.npos;
     row += line;
-    if (auto found = cells_of(row)) {
-      cells = std::move(*found);
-      return true;
-    }
+    if (may_end)
+      if (auto found = cells_of(row)) {
+        cells = std::move(*found);
+        return true;
+      }
     row += '\n';
-    constexpr std::size_t longest = std::size_t{1} << 20;  // each further line parses the row anew
+    constexpr std::size_t longest = std::size_t{1} << 20;
     if (row.size() > longest) break;
   }
   if (!row.empty()) throw InputError(name + ": the quotes of a cell are not closed");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/hasher.h"
+#include "engine/base/require.h"
 #include "io/atomic_file.h"
 #include "io/json_text.h"
 #include "io/text_reader.h"

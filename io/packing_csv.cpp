@@ -1,5 +1,9 @@
 #include "io/packing_csv.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include "io/csv.h"
 #include "io/packing_fields.h"
 #include "io/species_type.h"

@@ -56,6 +56,7 @@ std::vector<std::int64_t> ids_of(const std::vector<ParticleRow>& rows) {
 
 std::vector<std::int32_t> types_of(const std::vector<ParticleRow>& rows) {
   std::vector<std::int32_t> types;
+  types.reserve(rows.size());
   for (const ParticleRow& row : rows) types.push_back(row.type);
   return types;
 }

@@ -1,5 +1,6 @@
 #include "engine/protocol/run.h"
 
+#include <string>
 #include <utility>
 
 #include "engine/base/require.h"

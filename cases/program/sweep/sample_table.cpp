@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "cases/program/sweep/sample_columns.h"
 #include "cases/program/table.h"

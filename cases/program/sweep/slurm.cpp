@@ -8,6 +8,7 @@
 
 #include "cases/program/preflight.h"
 #include "cases/program/shell_word.h"
+#include "engine/base/require.h"
 
 namespace furnas {
 namespace {

@@ -19,6 +19,7 @@
 #include "cases/program/run/recording.h"
 #include "cases/program/run/run_folder.h"
 #include "engine/base/numbers.h"
+#include "engine/base/require.h"
 #include "io/atomic_file.h"
 
 namespace furnas {
