@@ -90,7 +90,7 @@ class SimulationOf final : public Simulation {
   static Vec3<Real> narrow(const Vec3<double>& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
   void take_particles(const Packing& packing);
   void build_list(std::int64_t builds);
-  void list_nothing();
+  void list_nothing(std::int64_t builds);
   void restore_contacts(const Packing& packing);
   void take_forces();
   std::vector<Contact> contacts() const;
@@ -116,7 +116,7 @@ void SimulationOf<Numerics>::load(const Packing& p) {
       build_list(builds);
     } catch (
         const NumericalFailure&) {  // the cell has collapsed: what is left can still be measured and saved
-      list_nothing();
+      list_nothing(builds);
       throw;
     }
     p.order.empty() ? take_forces() : restore_contacts(p);
@@ -183,8 +183,10 @@ void SimulationOf<Numerics>::build_list(std::int64_t builds) {
 
 /// Makes a list without pairs.
 template <class Numerics>
-void SimulationOf<Numerics>::list_nothing() {
+void SimulationOf<Numerics>::list_nothing(std::int64_t builds) {
   state_.pairs = {};
+  state_.pairs.builds = builds;
+  work_.inner = {};
   state_.pairs.first.assign(count_ + 1, 0);
   for (const auto& particle : state_.particles) state_.pairs.reference.push_back(particle.position);
   state_.rows.clear();

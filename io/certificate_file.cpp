@@ -120,12 +120,14 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
       "only) {}.\n",
       c.particles, c.backbone, c.contacts, rule, c.live_backbone);
   text += fmt::format("Friction {:g}, p_a {:g}. ", terms.springs.friction(), terms.cell.pressure);
-  text += terms.histories
-              ? fmt::format(
-                    "Recomputed from positions, radii, cell and tangential histories alone; the run's list "
-                    "lacks {} contacts and has {} that are open.\n\n",
-                    c.unlisted, c.open)
-              : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
+  text +=
+      terms.histories
+          ? fmt::format(
+                "Recomputed from positions, radii, masses, cell and tangential histories, without forces and "
+                "velocities; the run's list "
+                "lacks {} contacts and has {} that are open.\n\n",
+                c.unlisted, c.open)
+          : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {
     text += fmt::format("{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
                         part.proves == Proves::sufficient ? " (sufficient to first order)" : "", part.asks);

@@ -50,7 +50,7 @@ void write_manifest(const fs::path& folder, const std::string& program) {
       hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
       bytes += static_cast<std::uint64_t>(in.gcount());
     }
-    if (in.bad()) throw InputError(path.string() + " cannot be read to its end");
+    if (in.bad()) throw OutputError(path.string() + " cannot be read to its end");
     files[path.lexically_relative(folder).string()] = {{"bytes", bytes},
                                                        {"xxh3", fmt::format("{:016x}", hasher.value())}};
   });

@@ -81,7 +81,7 @@ bool are_usual(const std::vector<std::string>& names) {
 
 std::optional<std::int32_t> type_number(std::string_view name) {
   const auto number = number_in<std::int32_t>(name);
-  return number && *number >= 1 ? number : std::nullopt;
+  return number && *number >= 1 && *number <= most_types ? number : std::nullopt;
 }
 
 }  // namespace

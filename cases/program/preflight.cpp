@@ -62,7 +62,6 @@ double steps_of_window(const Case& c, double smallest) {
   return c.stop.window / relative_time_step(protocol_of(c), smallest);
 }
 
-/// The origin of the time step: a key, or the rule of the automatic choice.
 /// Refuses a run that cannot come to rest, or only after decades.
 std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
   if (c.compaction.cell == "fixed") return {};  // such a run is meant to end with its steps

@@ -55,7 +55,7 @@ struct Certificate {
   }
 };
 
-/// Tests whether a packing is jammed, from its positions, radii, cell and tangential histories alone. The
+/// Tests whether a packing is jammed, from its positions, radii, masses, cell and tangential histories. The
 /// test reads no force, velocity or sum of the run, and shares no code with the run's search, laws or step
 /// (docs/theory/certificate.md).
 Certificate certify(const Packing& packing, const CertificateTerms& terms);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -51,7 +52,9 @@ TimeStep chosen_time_step(const Protocol& p, double smallest) {
   const bool friction = has_friction(law);
   const Touch<double> pair = equal_pair(smallest);
   const double limit = largest_stable_step(law, pair) / 3;
-  const double of_collision = (friction ? 0.08 : 0.1) * collision_time(law, pair).value_or(limit / 0.08);
+  // Overdamped spheres do not collide in any time; the other rules then set the step.
+  const double of_collision =
+      (friction ? 0.08 : 0.1) * collision_time(law, pair).value_or(std::numeric_limits<double>::infinity());
   constexpr int neighbours = 8;  // docs/developer/decisions/length-of-a-step.md
   return std::min<TimeStep>({{of_collision, friction ? "auto: 0.08 of a collision of two small spheres"
                                                      : "auto: a tenth of a collision of two small spheres"},

@@ -38,9 +38,9 @@ struct Measures {
   double sliding_share{};     ///< share of the contacts at the Coulomb limit
   std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4
   int backbone_threshold{};                ///< the z_min whose backbone is used above
-  std::int64_t rebuilds{};                 ///< neighbour lists built since the run began
-  Energy energy;                           ///< of the particles, all together
-  Ledger ledger;                           ///< where the energy came from and went
+  std::int64_t rebuilds{};  ///< neighbour lists built by this process; in result.json since the run began
+  Energy energy;            ///< of the particles, all together
+  Ledger ledger;            ///< where the energy came from and went
 
   /// The count of rattlers whose backbone is used above.
   const RattlerCount& backbone() const {

@@ -198,6 +198,8 @@ TYPED_TEST(Invariance, ACellThatCollapsesAtANewStartCanStillBeMeasured) {
   EXPECT_EQ(left.fraction, flat.fraction);
   EXPECT_EQ(left.image, flat.image);
   EXPECT_TRUE(left.contacts.empty());
+  EXPECT_EQ(simulation->neighbours().builds, 1) << "of the list that the first start needed";
+  EXPECT_EQ(simulation->neighbours().inner_pairs, 0U);
 }
 
 TYPED_TEST(Invariance, ContactsOfPairsThatAreNoneAreRefused) {

@@ -158,7 +158,7 @@ Command certify_command() {
   auto options = std::make_shared<CertifyOptions>();
   Command command;
   command.name = "certify";
-  command.does = "say whether a finished packing is jammed, from positions and histories alone";
+  command.does = "say whether a finished packing is jammed, without the forces and velocities of its run";
   command.example = "furnas certify runs/first_packing";
   command.setup = [options](CommandLine& app) {
     add_packing_source(app, options->source, options->frame);

@@ -27,19 +27,21 @@ struct SweepOptions {
   bool refine = false, leave = false, slurm = false;
 };
 
-/// The assignment with the whole path if it names a file.
-std::string from_anywhere(const std::string& assignment) {
-  for (const std::string_view key : {"start.file=", "mixture.diameters="})
-    if (assignment.starts_with(key))
-      return std::string(key) + fs::absolute(assignment.substr(key.size())).lexically_normal().string();
+/// The assignment with the whole path if it names a file; `base` is the case with all assignments.
+std::string from_anywhere(const std::string& assignment, const Case& base) {
+  const std::string key = assignment.substr(0, assignment.find_first_of(" ="));
+  if (key == "start.file") return key + "=" + fs::absolute(base.start.file).lexically_normal().string();
+  if (key == "mixture.diameters")
+    return key + "=" + fs::absolute(base.mixture.diameters).lexically_normal().string();
   return assignment;
 }
 
 /// The command line of a worker, which also works from another current directory.
-std::vector<std::string> command_of(const SweepOptions& o, const fs::path& folder) {
+std::vector<std::string> command_of(const SweepOptions& o, const Case& base, const fs::path& folder) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "sweep",
                                  fs::absolute(o.file).lexically_normal().string(), "--out", folder.string()};
-  for (const std::string& assignment : o.set) words.insert(words.end(), {"--set", from_anywhere(assignment)});
+  for (const std::string& assignment : o.set)
+    words.insert(words.end(), {"--set", from_anywhere(assignment, base)});
   if (o.samples > 0) words.insert(words.end(), {"--samples", std::to_string(o.samples)});
   if (o.refine) words.emplace_back("--refine");
   if (!o.takeover.empty()) words.insert(words.end(), {"--takeover", o.takeover});
@@ -56,7 +58,7 @@ ExitCode write_slurm(const SweepOptions& o, const SweepOrder& order, Console con
   const SlurmArray array = array_for(samples, wishes);
   make_folder(folder);
   const fs::path script = folder / "sweep.sbatch";
-  write_file(script, slurm_script(array, wishes, command_of(o, folder), folder));
+  write_file(script, slurm_script(array, wishes, command_of(o, order.file.base, folder), folder));
   console.out << fmt::format(
       "array    {} task{} of {} core{}, {:.2f} GB and {}, for {} of {} samples\n"
       "script   {}\n"

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "cases/program/sweep/sample_columns.h"
 #include "cases/program/table.h"
@@ -82,10 +82,15 @@ void take_result(SampleRow& row, const Json& r) {
 SampleRow row_of(const Sample& sample) {
   SampleRow row = row_of_case(sample);
   const SampleState state = state_of(sample);
+  const auto refused = [&](const std::exception& error) {
+    return InputError(fmt::format("{}: {}", (sample.folder / "result.json").string(), error.what()));
+  };
   if (std::ifstream file(sample.folder / "result.json"); file) try {
       take_result(row, Json::parse(file));
-    } catch (const std::runtime_error& error) {  // of the JSON library, too
-      throw InputError(fmt::format("{}: {}", (sample.folder / "result.json").string(), error.what()));
+    } catch (const Json::exception& error) {
+      throw refused(error);
+    } catch (const InputError& error) {
+      throw refused(error);
     }
   if (state == SampleState::finished) return row;
   row.phi_J = row.phi_bound = unknown;

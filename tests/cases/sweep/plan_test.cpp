@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cases/program/build_info.h"
+#include "cases/program/sweep/sample_table.h"
 #include "engine/base/require.h"
 #include "io/case_file.h"
 #include "tests/io/packings.h"
@@ -160,6 +161,27 @@ TEST_F(Plans, SamplesOfAnotherVersionAreRefused) {
                              R"({"verdict": "jammed"})", R"({"version": null})", R"({"version": 3})"}) {
     write_file(sample.folder / "result.json", result);
     EXPECT_THROW(state_of(sample), InputError) << result;
+  }
+}
+
+TEST_F(Plans, ADamagedResultIsNamed) {
+  const Sample sample = sample_of(Case{}, {"contact.friction"}, path(""));
+  fs::create_directories(sample.folder);
+  write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
+  const std::string version = fmt::format(R"("version": "{}")", build_info().version);
+  for (const std::string& result :
+       {std::string("{"), "{" + version + R"(, "large": 100})",
+        "{" + version +
+            R"(, "large": 1, "small": 0, "verdict": "jammed", "reason": "", "phi_J": 0.6, "phi": 0.6,
+            "Z": 4, "Z_backbone": 4, "backbone_threshold": 2,
+            "rattlers": [{"least_contacts": 9, "large": 0, "small": 0, "backbone": 1}]})"}) {
+    write_file(sample.folder / "result.json", result);
+    try {
+      table_of({sample}, {"contact.friction"});
+      ADD_FAILURE() << result;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("result.json")) << result;
+    }
   }
 }
 

@@ -75,7 +75,7 @@ TEST(SlurmScripts, NameFilesOfTheCommandLineByTheirWholePath) {
   write_file(runs.path("sizes.txt"), "1\n1.5\n2\n");
   const std::string relative = fs::relative(runs.path("sizes.txt")).string();
   const Ending answer = ending_of({"sweep", runs.path("case.toml"), "--out", runs.path("out"), "--slurm",
-                                   "--samples", "2", "--set", "mixture.diameters=" + relative});
+                                   "--samples", "2", "--set", "mixture.diameters = \"" + relative + "\""});
   ASSERT_EQ(answer.code, 0) << answer.out;
   EXPECT_THAT(content(runs.path("out/sweep.sbatch")),
               HasSubstr("mixture.diameters=" + runs.path("sizes.txt")));
