@@ -49,7 +49,6 @@ const Measures& Observation::measures() {
   if (!measures_) {
     measures_ = measure(packing(), backbone_threshold_);
     measures_->rebuilds = simulation_.neighbours().builds;
-    measures_->unloading_strain = unloading_strain(packing(), simulation_.model().law);
     measures_->energy = energy(packing(), simulation_.model().law);
     measures_->ledger = packing().ledger;
   }

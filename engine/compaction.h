@@ -75,7 +75,7 @@ class Event {
   virtual const char* name()
       const = 0;  ///< in progress lines; also the key of saved() in checkpoints, so keep it
 
-  /// The first step after `step` at which the event may be due.
+  /// The first step after `step` at which the event may be due; `step` itself if the event is overdue.
   virtual std::int64_t next(std::int64_t step) const = 0;
 
   /// Whether the event happens now; called at the steps that next() returned.

@@ -20,8 +20,9 @@ struct Barostat {
   bool legacy = false;
 };
 
-/// Number type of the forces and of the velocities, spins and radii of the particles. Positions, differences,
-/// overlaps and the sums of stress and energy are double in both modes.
+/// Number type of the forces and of the velocities, spins and radii of the particles. Positions, differences
+/// and overlaps are double in both modes. Sums over up to 256 contacts or particles have the type of the
+/// forces; these sums are added up in double.
 enum class Precision { mixed, full };
 
 /// The radius [d_s] that a simulation of this precision uses: in its forces, in the packings that it returns,

@@ -131,6 +131,7 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
   clock_ = {};
   if (p.time != clock_.at(p.step, model_.time_step)) clock_ = {p.step, p.time};
   state_.cell = p.cell;
+  state_.cell.rate = possible(p.cell.rate, model_.barostat.freedom);
   state_.stress = p.stress;
   state_.ledger = p.ledger;
   labels_ = p.labels;
@@ -261,7 +262,7 @@ void SimulationOf<Numerics>::set_motion(std::span<const Vec3<double>> velocity,
     if constexpr (spins) particle.spin = narrow(spin[k]);
     state_.ledger.quenched -= kinetic(place[k]);
   }
-  state_.cell.rate = rate;
+  state_.cell.rate = possible(rate, model_.barostat.freedom);
 }
 
 template <class Numerics>

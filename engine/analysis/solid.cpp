@@ -123,6 +123,7 @@ void SolidPlanes::for_each_row(double height, Row&& row) const {
 }
 
 void SolidPlanes::next_inside(std::span<std::uint8_t> plane) {
+  require(reach_ == 0, "points within the reach of a sphere would count as points in it");
   std::fill(plane.begin(), plane.end(), std::uint8_t{0});
   for_each_row(advance(), [&](const PlacedSphere&, std::int64_t row, double, const Points& across) {
     if (across.first > across.last) return;

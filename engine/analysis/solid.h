@@ -53,7 +53,8 @@ class SolidPlanes {
   SolidPlanes(const Solid& solid, const PointGrid& grid, double reach = 0)
       : solid_(solid), grid_(grid), reach_(reach) {}
 
-  /// 1 for each point of the next plane that lies in a sphere, 0 for the others; x runs fastest.
+  /// 1 for each point of the next plane that lies in a sphere, 0 for the others; x runs fastest. Only with
+  /// `reach` 0.
   void next_inside(std::span<std::uint8_t> plane);
 
   /// Distance of each point of the next plane from the surface of the nearest sphere, negative in it; `reach`

@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/base/require.h"
 #include "engine/base/team.h"
 
 #ifdef __SSE2__
@@ -96,6 +97,7 @@ struct Workers::Arena {
 // in the arena.
 Workers::Workers(int threads)
     : arena_(new Arena{threads, tbb::task_arena(1), tbb::task_arena(std::max(threads - 1, 1), 0)}) {
+  require(threads >= 1, "a thread is needed to work");
   const Arithmetic arithmetic;
   arena_->leader.initialize();
   if (threads > 1) arena_->helpers.initialize();
@@ -108,13 +110,13 @@ void Workers::run(const std::function<void()>& work) {
   // A helper may start only after all work is done. The shared pointer keeps the team alive for this helper,
   // which finds itself dismissed.
   const auto team = std::make_shared<Team>(arena_->threads);
+  const struct Lead {
+    Team& team;
+    ~Lead() { team.dismiss(); }
+  } lead{*team};
   for (int member = 1; member < arena_->threads; ++member) arena_->helpers.enqueue(Helper(team, member));
   int raised = 0;
   arena_->leader.execute([&] {
-    struct Lead {
-      Team& team;
-      ~Lead() { team.dismiss(); }
-    } const lead{*team};
     const Seated here({team.get(), 0});
     work();
     raised = std::fetestexcept(FE_ALL_EXCEPT);

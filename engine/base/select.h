@@ -22,7 +22,6 @@ template <class Truth, class R>
 
 /// The larger of two numbers.
 inline double larger(double a, double b) { return std::max(a, b); }
-inline float larger(float a, float b) { return std::max(a, b); }
 
 /// Whether all components are zero.
 template <class R>

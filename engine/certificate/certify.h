@@ -56,8 +56,8 @@ struct Certificate {
 };
 
 /// Tests whether a packing is jammed, from its positions, radii, masses, cell and tangential histories. The
-/// test reads no force, velocity or sum of the run, and shares no code with the run's search, laws or step
-/// (docs/theory/certificate.md).
+/// test reads no force, velocity or sum of the run, and shares no code with the run's search and step. From
+/// the law it takes the spring force, stiffness and damping of a contact (docs/theory/certificate.md).
 Certificate certify(const Packing& packing, const CertificateTerms& terms);
 
 }  // namespace furnas

@@ -130,6 +130,8 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
     basis.col(k + 1) = next / h(k + 1, k);
   }
   const Eigen::EigenSolver<MatrixXd> spectrum(h.topLeftCorner(count, count));
+  valid = spectrum.info() == Eigen::Success;
+  if (!valid) return {};
   std::vector<Ritz> found;
   for (Index k = 0; k < count; ++k) {
     const Complex theta = spectrum.eigenvalues()[k];
@@ -143,7 +145,7 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
 }
 
 /// All eigenvalues with a real part above `above`, for few unknowns.
-std::vector<Ritz> dense(const SmallMotion& motion, double above) {
+std::vector<Ritz> dense(const SmallMotion& motion, double above, bool& valid) {
   const Index n = motion.unknowns();
   MatrixXd a = MatrixXd::Zero(2 * n, 2 * n);
   a.topRightCorner(n, n).setIdentity();
@@ -154,6 +156,8 @@ std::vector<Ritz> dense(const SmallMotion& motion, double above) {
   for (Index k = 0; k < 2 * n; ++k)
     for (Index half : {Index{0}, n}) motion.hold_centre(a.col(k).segment(half, n));
   const Eigen::EigenSolver<MatrixXd> spectrum(a);
+  valid = spectrum.info() == Eigen::Success;
+  if (!valid) return {};
   std::vector<Ritz> found;
   for (Index k = 0; k < 2 * n; ++k) {
     const Complex lambda = spectrum.eigenvalues()[k];
@@ -258,12 +262,11 @@ const GrowingMode* Growth::fastest() const {
 Growth find_growth(const SmallMotion& motion) {
   Growth growth;
   growth.asked = motion.unknowns() <= most_unknowns;
-  if (!growth.asked) return growth;
+  if (!growth.asked || motion.particles() == 0) return growth;
   std::vector<Ritz> found;
   constexpr Index few = 60;
   if (motion.unknowns() <= few) {
-    found = dense(motion, least_rate);
-    growth.valid = true;
+    found = dense(motion, least_rate, growth.valid);
   } else {
     for (const double sigma : {0.003, 0.03, 0.3}) {
       constexpr Index vectors = 120;

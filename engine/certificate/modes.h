@@ -16,7 +16,7 @@ inline constexpr double flat_mode = 1e-10;
 /// The softest motions of a backbone in its cell.
 struct Modes {
   bool valid{};                ///< the stiffness could be factored and the eigenvalues converged
-  std::int64_t negative{};     ///< eigenvalues below 0, counted exactly
+  std::int64_t negative{};     ///< eigenvalues below 0 (below -flat_mode if all are computed)
   std::vector<double> lowest;  ///< eigenvalues nearest to 0, rising, without the translations [k_n]
   std::vector<double> doubt;   ///< their uncertainty because forces do not balance exactly [k_n]
   double residual{};           ///< largest |K v - lambda v|, |v| = 1, with K v summed over contacts

@@ -17,7 +17,8 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
       unknowns_(per_particle_ * static_cast<Index>(backbone.particles.size())),
       volume_(network.volume),
       pressure_(pressure),
-      arms_meet_(arms_meet(network.springs.law)) {
+      arms_meet_(arms_meet(network.springs.law)),
+      twists_(twists(network.springs.law)) {
   bonds_ = bonds_of(network, backbone, per_particle_);
   bridges_ = bridges_of(bonds_, per_particle_, unknowns_);
 }
@@ -40,11 +41,11 @@ BondMatrix Stiffness::prestress(const Bond& b, double push, const Vector3d& fric
   BondMatrix k = -push * b.branch.norm() * tilt.transpose() * tilt;
   if (per_particle_ == 3) return k;
 
-  // F_t turns with the normal, and with the spheres about the normal; so do its torques.
+  // F_t turns with the normal and, under most laws, with the spheres about the normal; so do its torques.
   const BondRows turn_i = turn_of(0, b.radius_i);
   const BondRows turn_j = turn_of(1, b.radius_j);
   const BondRow stretch = b.normal.transpose() * moved;
-  const BondRow twist = 0.5 * b.normal.transpose() * (turn_i + turn_j);
+  const BondRow twist = (twists_ ? 0.5 : 0) * b.normal.transpose() * (turn_i + turn_j);
   const Vector3d couple = b.normal.cross(friction);
   const double lengthening = arms_meet_ ? 0.5 : 0;  // change of a lever arm per change of the distance
   const BondRows arms = b.arm_i * turn_i + b.arm_j * turn_j;

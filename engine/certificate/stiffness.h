@@ -68,7 +68,7 @@ class Stiffness {
   Eigen::Index unknowns_;
   double volume_;
   double pressure_;
-  bool arms_meet_;
+  bool arms_meet_, twists_;
 };
 
 }  // namespace furnas

@@ -11,9 +11,9 @@
 namespace furnas {
 
 /// When a packing counts as jammed: all criteria must hold at every look of a window. A look is one
-/// evaluation of the criteria; a window has ten looks.
+/// evaluation of the criteria; a window has eleven looks, at equal intervals that include both ends.
 struct RestCriteria {
-  bool kinetic_energy_alone = false;  ///< the rule of the study: only the kinetic energy, of all particles
+  bool kinetic_energy_alone = false;  ///< the rule of the paper: only the kinetic energy, of all particles
   double stress_error = 1e-3;         ///< largest |P_aa - p_a|/p_a and |P_ab|/p_a
   double force_imbalance = 1e-4;      ///< mean |net force| on the backbone/mean contact force
   double loose_imbalance = 1e-3;      ///< also accepted, as loose, if met for ten windows

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 
 #include "engine/compaction.h"
@@ -12,7 +13,7 @@ class Budget final : public Event {
   explicit Budget(std::int64_t last_step) : last_step_(last_step) {}
   const char* name() const override { return "budget"; }
   std::int64_t next(std::int64_t step) const override { return std::max(step, last_step_); }
-  std::optional<Verdict> fire(Observation& now) override;
+  std::optional<Verdict> fire(Observation&) override { return Verdict::budget; }
 
  private:
   std::int64_t last_step_;

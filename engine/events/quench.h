@@ -10,8 +10,9 @@ namespace furnas {
 /// backbone did not gain speed, if one of two conditions is met. The first: balance and drift are within
 /// criteria.stilling times their limits, the stress is within 10 times its limit, and either the energy is
 /// within criteria.stilling_energy times its limit or stress and balance are within their own limits. The
-/// second: for fifty windows the stress has been within 10 times and the energy within 100 times its limit,
-/// although the forces never balance and the cell creeps.
+/// second: windows at whose end the stress is within 10 times and the energy within 100 times its limit are
+/// more than fifty, less those in which this is not so, although the forces never balance and the cell
+/// creeps.
 ///
 /// The contact law damps the remaining motion little or not at all: rattlers that hit a backbone at rest,
 /// spheres that spin about the normal of a single contact or about the line through two contacts, and soft

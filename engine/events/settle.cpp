@@ -1,12 +1,12 @@
 #include "engine/events/settle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/laws/any_law.h"
+#include "engine/monitor/measure.h"
 
 namespace furnas {
 namespace {
@@ -17,9 +17,9 @@ PhiRecord::Span joined(const PhiRecord::Span& a, const PhiRecord::Span& b) {
 }
 
 /// Change of phi if the stress took the value of the bath.
-double change_by_stress(const Measures& m, double stress_error) {
+double change_by_stress(double phi, double unloading_strain, double stress_error) {
   constexpr double softer = 3;  // times softer than if all contacts followed the cell's strain
-  return softer * 3 * m.phi * m.unloading_strain * stress_error;
+  return softer * 3 * phi * unloading_strain * stress_error;
 }
 
 }  // namespace
@@ -71,16 +71,18 @@ double Settle::ranges_allowed(const RestReport& r, bool friction) const {
 
 bool Settle::due(Observation& now) {
   const RestReport& r = watch_.look(now);
-  const Measures& m = now.measures();
-  record(now, r, m.phi);
+  const double phi = now.measures().phi;
+  record(now, r, phi);
   // A packing at rest that is still here waits for its final quenches.
   if (now.step() % watch_.window_length() != 0 || r.resting) return false;
   const std::int64_t age = now.step() - loaded_at_;
   bound_ = RestReport::unknown;
-  const double ranges = ranges_allowed(r, has_friction(now.simulation().model().law));
+  const AnyLaw& law = now.simulation().model().law;
+  const double ranges = ranges_allowed(r, has_friction(law));
   if (past_.empty() || age < least_age_ || ranges == 0 || !quench_.steady()) return false;
   const PhiRecord::Span late = past_.since(now.step() - age / 2);
-  bound_ = ranges * (late.high - late.low) + change_by_stress(m, late.stress_error);
+  bound_ = ranges * (late.high - late.low) +
+           change_by_stress(phi, unloading_strain(now.packing(), law), late.stress_error);
   return bound_ < watch_.criteria().phi_error;
 }
 
@@ -100,9 +102,9 @@ void Settle::restore(const std::string& saved) {
     read = numbers.take(s.looks, s.end, s.low, s.high, s.stress_error) && s.looks > 0 && s.low <= s.high;
   if (!read || spans.size() > PhiRecord::most_spans)
     throw InputError("a run remembers \"" + saved.substr(0, 200) +
-                     "\" where it must remember a step, a bound, and up to 64 spans of looks with a step, "
-                     "two fractions and an "
-                     "error of the stress");
+                     "\" where it must remember a step, a bound, and up to " +
+                     std::to_string(PhiRecord::most_spans) +
+                     " spans of looks with a step, two fractions and an error of the stress");
   past_.restore(std::move(spans));
 }
 

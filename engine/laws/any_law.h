@@ -44,6 +44,11 @@ inline bool arms_meet(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.arms_meet; }, any);
 }
 
+/// Whether the history of a contact turns with its spheres about the normal.
+inline bool twists(const AnyLaw& any) {
+  return std::visit([](const auto& law) { return law.synchronized; }, any);
+}
+
 /// Push, stiffness and damping of a contact under a law.
 inline ContactStiffness stiffness_of(const AnyLaw& any, const Touch<double>& touch) {
   return std::visit([&](const auto& law) { return law.stiffness(touch); }, any);

@@ -6,7 +6,7 @@
 
 namespace furnas {
 
-/// Constants of the damped Hookean contact of the study (arXiv 2105.00977), with k_n = 1.
+/// Constants of the damped Hookean contact of the paper (arXiv 2105.00977), with k_n = 1.
 struct HookeConstants {
   double tangential_stiffness = 1;  ///< k_t [k_n]
   double normal_damping = 0.5;      ///< gamma_n [1/time], times the reduced mass
@@ -64,7 +64,7 @@ struct SpringStep {
 /// the sum of spring force and damping force does not exceed Coulomb's limit. If `slides_free`, a contact
 /// beyond the limit has no tangential force and keeps its history. Lever arms are R - `shortening`.
 ///
-/// With winding, as in the study, the damping force of a sliding contact is that of the whole slip. If this
+/// With winding, as in the paper, the damping force of a sliding contact is that of the whole slip. If this
 /// force exceeds the limit, the spring is stretched in the opposite direction until the sum is at the limit.
 /// Without winding, a slider is in series with spring and dashpot. The force of spring and dashpot together
 /// is the limit, which determines their rate; the slider takes the rest of the slip.

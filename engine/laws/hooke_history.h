@@ -5,7 +5,7 @@
 
 namespace furnas {
 
-/// The law of `pair_style gran/hooke/history` of LAMMPS, which the study used, reproduced step by step.
+/// The law of `pair_style gran/hooke/history` of LAMMPS, which the paper used, reproduced step by step.
 ///
 /// As in LAMMPS, the law combines quantities of different instants: velocities in the middle of the step, and
 /// the normal at its end. The tangential history is projected onto the new contact plane, which shortens it.
@@ -19,7 +19,8 @@ struct HookeHistory {
 
   HookeConstants constants;
 
-  /// Push, stiffness and damping at this overlap: the only place that defines the stiffness of a contact.
+  /// Push, stiffness and damping at this overlap, for all that is not a step: certificate, search for a
+  /// minimum, choice of the time step.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }

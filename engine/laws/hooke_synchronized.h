@@ -35,7 +35,8 @@ struct HookeSynchronized {
 
   HookeConstants constants;
 
-  /// Push, stiffness and damping at this overlap: the only place that defines the stiffness of a contact.
+  /// Push, stiffness and damping at this overlap, for all that is not a step: certificate, search for a
+  /// minimum, choice of the time step.
   [[gnu::always_inline]] ContactStiffness stiffness(const Touch<double>& t) const {
     return hooke_stiffness(constants, t, spins);
   }

@@ -139,26 +139,10 @@ void Enthalpy::look(const Shift& shift, Point& point) {
   const double outside = bath_.pressure * edges_.determinant();
   const double x = 1 + e.xx, y = 1 + e.yy, z = 1 + e.zz;
   point.value = total.energy + outside * x * y * z;
-  point.gradient.strain =
-      allowed(sum_of({outside * y * z, outside * x * z, outside * x * y, 0, 0, 0}, -1, total.push));
+  point.gradient.strain = possible(
+      sum_of({outside * y * z, outside * x * z, outside * x * y, 0, 0, 0}, -1, total.push), bath_.freedom);
   point.contacts = total.count;
   point.mean_force = total.count > 0 ? total.force / static_cast<double>(total.count) : 0;
-}
-
-/// The part of a derivative by the strain along the strains that the cell is free to make.
-Triangle Enthalpy::allowed(const Triangle& g) const {
-  const double mean = g.trace() / 3;
-  switch (bath_.freedom) {
-    case CellFreedom::triclinic:
-      return g;
-    case CellFreedom::orthorhombic:
-      return {g.xx, g.yy, g.zz, 0, 0, 0};
-    case CellFreedom::cubic:
-      return {mean, mean, mean, 0, 0, 0};
-    case CellFreedom::fixed:
-      break;
-  }
-  return {};
 }
 
 Shift Enthalpy::softness() const {

@@ -61,7 +61,6 @@ class Enthalpy {
 
  private:
   void renew_list();
-  Triangle allowed(const Triangle& gradient) const;
 
   AnyLaw law_;
   Barostat bath_;

@@ -70,7 +70,10 @@ double relative_time_step(const Protocol& p, double smallest) {
   return time_step_of(p, smallest) / time_unit_of(p);
 }
 
-double smallest_diameter(const Packing& p) { return 2 * *std::min_element(p.radius.begin(), p.radius.end()); }
+double smallest_diameter(const Packing& p) {
+  if (p.radius.empty()) throw InputError("the packing has no particles");
+  return 2 * *std::min_element(p.radius.begin(), p.radius.end());
+}
 
 double smallest_kept_diameter(const Protocol& p, const Packing& start) {
   return 2 * kept_radius(p.precision, smallest_diameter(start) / 2);
@@ -89,6 +92,7 @@ double cell_inertia(double beta, double mass, double sphere_volume) {
 }
 
 std::vector<Barostat> baths_of(const Protocol& p, const Packing& start) {
+  if (p.pressures.empty()) throw InputError("a protocol needs at least one pressure");
   const double mass = std::accumulate(start.mass.begin(), start.mass.end(), 0.0);
   // Uses the rounded radii of the simulation, because a run resumed from a checkpoint knows no others.
   double cubes = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <tuple>
 
 #include "engine/base/require.h"
@@ -12,8 +11,12 @@ namespace {
 
 constexpr double widest_class = 1.5;
 
+/// Radii are compared as `float`: in mixed precision a simulation knows no others.
+double compared(double radius) { return static_cast<float>(radius); }
+
 /// Lower bounds of the classes' radii, largest first, from all radii.
 std::vector<double> class_bounds(std::vector<double> radii) {
+  std::transform(radii.begin(), radii.end(), radii.begin(), compared);
   std::sort(radii.begin(), radii.end(), std::greater<>());
   std::vector<double> smallest;
   double largest = 0;
@@ -29,7 +32,7 @@ std::vector<double> class_bounds(std::vector<double> radii) {
 
 std::size_t class_of(double radius, const std::vector<double>& bounds) {
   std::size_t c = 0;
-  while (radius < bounds[c]) ++c;
+  while (compared(radius) < bounds[c]) ++c;
   return c;
 }
 

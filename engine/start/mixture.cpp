@@ -21,8 +21,8 @@ double large_diameter(const Mixture& m) { return small_count(m) > 0 ? m.size_rat
 Packing dilute_start(const Mixture& m) {
   const double all = static_cast<double>(m.large) + small_count(m);
   if (all > static_cast<double>(most_particles))
-    throw InputError(std::to_string(std::llround(all)) + " spheres are wanted; at most " +
-                     std::to_string(most_particles) + " can be numbered");
+    throw InputError((all < 1e18 ? std::to_string(std::llround(all)) : "more than 1e18") +
+                     " spheres are wanted; at most " + std::to_string(most_particles) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);
   const auto small = static_cast<std::size_t>(small_count(m));
   const double large_radius = 0.5 * large_diameter(m);

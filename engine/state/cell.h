@@ -68,6 +68,24 @@ struct Cell {
 /// Which of the six deformations the cell may make.
 enum class CellFreedom { triclinic, orthorhombic, cubic, fixed };
 
+/// The part of a strain, or of its rate, that such a cell can make.
+inline Triangle possible(const Triangle& e, CellFreedom freedom) {
+  switch (freedom) {
+    case CellFreedom::triclinic:
+      return e;
+    case CellFreedom::orthorhombic:
+      return {e.xx, e.yy, e.zz, 0, 0, 0};
+    case CellFreedom::cubic: {
+      if (e.xx == e.yy && e.yy == e.zz) return {e.xx, e.yy, e.zz, 0, 0, 0};  // without the rounding of a mean
+      const double mean = e.trace() / 3;
+      return {mean, mean, mean, 0, 0, 0};
+    }
+    case CellFreedom::fixed:
+      break;
+  }
+  return {};
+}
+
 /// How far a cell has been deformed: |F - I| (Frobenius) with F = now then^-1.
 inline double strain_between(const Triangle& then, const Triangle& now) {
   const Triangle f = product(now, inverse(then));

@@ -7,9 +7,10 @@
 
 namespace furnas {
 
-/// A 64-bit hash of everything that determines the further motion of a packing: step, cell and its rate,
-/// positions, peculiar velocities, spins, and the contacts with their tangential histories. If the hashes of
-/// two runs agree, the runs agree bit by bit.
+/// A 64-bit hash of what changes in a run and determines the further motion of a packing: step, cell and its
+/// rate, positions, peculiar velocities, spins, and the contacts with their tangential histories. If the
+/// hashes of two runs of one start and case agree, the runs agree bit by bit. Radii and masses, which no step
+/// changes, are not included.
 ///
 /// The hash does not depend on the order of particles in memory, on the order of the contacts, or on which
 /// particle of a contact is named first. Quantities that are computed from the state (force, stress) are not

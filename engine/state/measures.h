@@ -25,17 +25,16 @@ struct Measures {
   double time{};  ///< [time]
   double phi{};   ///< packing fraction
   Cell cell;
-  std::array<double, 6> stress{};    ///< P: xx yy zz xy xz yz, contacts and peculiar motion [k_n/d_s]
-  double pressure{};                 ///< trace(P)/3 [k_n/d_s]
-  double kinetic_energy{};           ///< per particle, translation and rotation [k_n d_s^2]
-  double backbone_kinetic_energy{};  ///< per backbone particle [k_n d_s^2]
-  double force_imbalance{};          ///< mean |net force| on the backbone/mean contact force
-  double mean_force{};               ///< mean |contact force| [k_n d_s]
-  double largest_overlap{};          ///< largest overlap/smaller radius of its pair
-  double unloading_strain{};  ///< the strain that would reduce the pressure to 0 if every contact followed it
-  std::int64_t contacts{};    ///< all of them, live or not
-  double coordination{};      ///< 2 contacts/N, rattlers included
-  double sliding_share{};     ///< share of the contacts at the Coulomb limit
+  std::array<double, 6> stress{};          ///< P: xx yy zz xy xz yz, contacts and peculiar motion [k_n/d_s]
+  double pressure{};                       ///< trace(P)/3 [k_n/d_s]
+  double kinetic_energy{};                 ///< per particle, translation and rotation [k_n d_s^2]
+  double backbone_kinetic_energy{};        ///< per backbone particle [k_n d_s^2]
+  double force_imbalance{};                ///< mean |net force| on the backbone/mean contact force
+  double mean_force{};                     ///< mean |contact force| [k_n d_s]
+  double largest_overlap{};                ///< largest overlap/smaller radius of its pair
+  std::int64_t contacts{};                 ///< all of them, live or not
+  double coordination{};                   ///< 2 contacts/N, rattlers included
+  double sliding_share{};                  ///< share of the contacts at the Coulomb limit
   std::array<RattlerCount, 3> rattlers{};  ///< z_min 2, 3, 4
   int backbone_threshold{};                ///< the z_min whose backbone is used above
   std::int64_t rebuilds{};  ///< neighbour lists built by this process; in result.json since the run began

@@ -30,7 +30,7 @@ struct alignas(16) Particle<Real, false> {
 };
 
 template <class Real>
-struct alignas(32) Particle<Real, true> {
+struct alignas(sizeof(Real) == 4 ? 64 : 32) Particle<Real, true> {
   Fraction position;
   Real radius;           ///< [d_s]
   Vec3<Real> velocity;   ///< peculiar [d_s/time]

@@ -54,7 +54,8 @@ std::string flaw_of_contact(const Packing& p, const Contact& c) {
          " and " + std::to_string(p.id(c.j)) + " is not finite";
 }
 
-void refuse_common_centres(const Packing& p) {
+/// A sentence about two particles with the same centre; empty if there are none.
+std::string common_centre(const Packing& p) {
   std::vector<std::uint32_t> order(p.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   const auto key = [&](std::uint32_t k) {
@@ -64,7 +65,8 @@ void refuse_common_centres(const Packing& p) {
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   for (std::size_t n = 1; n < order.size(); ++n)
     if (p.fraction[order[n - 1]] == p.fraction[order[n]])
-      throw InputError(name(p, order[n - 1]) + " and " + name(p, order[n]) + " have the same centre");
+      return name(p, order[n - 1]) + " and " + name(p, order[n]) + " have the same centre";
+  return {};
 }
 
 }  // namespace
@@ -76,9 +78,12 @@ std::string flaw_of(const Packing& p) {
   return {};
 }
 
-void validate(const Packing& p) {
-  if (const std::string flaw = flaw_of_spheres(p); !flaw.empty()) throw InputError(flaw);
-  refuse_common_centres(p);
+void validate(const Packing& p, const std::string& source) {
+  std::string flaw = flaw_of_spheres(p);
+  for (const Contact& c : p.contacts)
+    if (flaw.empty() && !finite(c.history)) flaw = "a tangential history is not finite";
+  if (flaw.empty()) flaw = common_centre(p);
+  if (!flaw.empty()) throw InputError(source.empty() ? flaw : source + ": " + flaw);
 }
 
 }  // namespace furnas

@@ -11,9 +11,9 @@ namespace furnas {
 /// positive, contacts are between existing particles, and every number is finite.
 std::string flaw_of(const Packing& packing);
 
-/// Throws InputError with such a sentence if spheres or cell have a flaw, or if two particles have the same
-/// centre, because their contact would have no normal. The numbers of contacts are not checked, because a
-/// step computes them again from the positions.
-void validate(const Packing& packing);
+/// Throws InputError with `source`, the name of a file, unless it is empty, and such a sentence if spheres,
+/// cell or a tangential history have a flaw, or if two particles have the same centre, because their contact
+/// would have no normal. The other numbers of contacts are not checked, because a step computes them again.
+void validate(const Packing& packing, const std::string& source = {});
 
 }  // namespace furnas

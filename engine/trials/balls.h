@@ -12,7 +12,7 @@ namespace furnas {
 // for a short time. Tests use them, and `furnas bench` shows with them how the error grows with the time
 // step.
 
-/// The time step of the study, 0.02 collision times of two small spheres [time].
+/// The time step of the paper, 0.02 collision times of two small spheres [time].
 inline constexpr double paper_step = 0.032415;
 
 /// A sphere of density 1 in a trial; by default it has the radius of a small sphere.

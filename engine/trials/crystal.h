@@ -4,8 +4,8 @@
 
 namespace furnas {
 
-/// The crystals below consist of small spheres. r is the distance of nearest neighbours, with r < 1, so that
-/// the spheres overlap.
+// The crystals below consist of small spheres. r is the distance of nearest neighbours, with r < 1, so that
+// the spheres overlap.
 
 /// Simple cubic crystal with `cells` spheres along each edge.
 Packing simple_cubic(double r, int cells);

@@ -17,7 +17,7 @@ inline const Packing& dense_packing() {
   return packing;
 }
 
-/// A law with the constants of the study, in a cell that may deform.
+/// A law with the constants of the paper, in a cell that may deform.
 inline Model model_with(const AnyLaw& law) {
   Model model;
   model.law = law;

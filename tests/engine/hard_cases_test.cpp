@@ -128,7 +128,7 @@ TYPED_TEST(HardCase, SpheresThatNeverMeetKeepTheirMotion) {
   EXPECT_TRUE(p.contacts.empty());
 }
 
-// Cancellation: the start of the study at size ratio 40 is a cell of 970 d_s, in which spheres overlap by the
+// Cancellation: the start of the paper at size ratio 40 is a cell of 970 d_s, in which spheres overlap by the
 // 8e-5 of a jammed packing. Where they lie costs an overlap less than 1e-9 of itself: the fraction of the
 // cell is known to 2^-64, lengths to 1e-16, so 3e-12 remain.
 TYPED_TEST(HardCase, OverlapsAreExactInTheLargestCell) {

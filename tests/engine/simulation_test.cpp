@@ -172,6 +172,26 @@ TYPED_TEST(Invariance, ANewMotionIsThatOfAPackingWithIt) {
   EXPECT_TRUE(test::same_packing(changed->packing(), loaded->packing()));
 }
 
+// A cell that may not make a strain does not go on with its rate, wherever the packing is from.
+TYPED_TEST(Invariance, ACellMovesAsItIsFreeTo) {
+  Packing start = moving(this->model);
+  start.cell.rate = {1e-3, 4e-3, 1e-3, 1e-3, -1e-3, 1e-3};
+  const auto rate_with = [&](CellFreedom freedom) {
+    Model model = this->model;
+    model.barostat.freedom = freedom;
+    const auto simulation = make_simulation(model, start);
+    const Triangle loaded = simulation->packing().cell.rate;
+    const std::vector<Vec3<double>> none(start.size());
+    simulation->set_motion(none, none, start.cell.rate);
+    EXPECT_EQ(simulation->packing().cell.rate, loaded);
+    return loaded;
+  };
+  EXPECT_EQ(rate_with(CellFreedom::triclinic), start.cell.rate);
+  EXPECT_EQ(rate_with(CellFreedom::orthorhombic), (Triangle{1e-3, 4e-3, 1e-3, 0, 0, 0}));
+  EXPECT_EQ(rate_with(CellFreedom::cubic), (Triangle{2e-3, 2e-3, 2e-3, 0, 0, 0}));
+  EXPECT_EQ(rate_with(CellFreedom::fixed), Triangle{});
+}
+
 // The energy that a stop takes out is booked: the balance closes as well as it did.
 TYPED_TEST(Invariance, AStopIsBooked) {
   const Model moves = in_a_moving_cell(this->model);
@@ -200,6 +220,13 @@ TYPED_TEST(Invariance, ACellThatCollapsesAtANewStartCanStillBeMeasured) {
   EXPECT_TRUE(left.contacts.empty());
   EXPECT_EQ(simulation->neighbours().builds, 1) << "of the list that the first start needed";
   EXPECT_EQ(simulation->neighbours().inner_pairs, 0U);
+}
+
+TYPED_TEST(Invariance, AHistoryThatIsNoNumberIsRefused) {
+  Packing start = moving(this->model);
+  ASSERT_FALSE(start.contacts.empty());
+  start.contacts.front().history.y = std::nan("");
+  EXPECT_THROW(make_simulation(this->model, start), InputError);
 }
 
 TYPED_TEST(Invariance, ContactsOfPairsThatAreNoneAreRefused) {

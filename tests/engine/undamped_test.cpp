@@ -134,7 +134,7 @@ TEST(NightlyUndampedPacking, EnergyCreepsWhereContactsOpen) {
   const double middle = creep(2 * paper_step);
   const double fine = creep(paper_step);
   std::cout << "energy gained in three quarters of " << time << ": " << coarse << ", " << middle << ", "
-            << fine << " at 4, 2, 1 steps of the study\n";
+            << fine << " at 4, 2, 1 steps of the paper\n";
   EXPECT_GT(coarse, 0);
   EXPECT_GT(std::log2(coarse / middle), 2.5);
   EXPECT_LT(std::abs(fine), 2e-3);

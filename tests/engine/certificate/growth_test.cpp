@@ -46,6 +46,20 @@ TEST(Growth, OfAChainThatBuckles) {
   }
 }
 
+TEST(Growth, OfNothingIsNotKnown) {
+  const Packing apart = packing_of({4, 4, 4, 0, 0, 0}, {{.position = {1, 1, 1}}, {.position = {3, 3, 3}}});
+  for (const CellFreedom freedom : {CellFreedom::fixed, CellFreedom::triclinic}) {
+    const ContactNetwork network = contact_network(apart, {});
+    const Growth growth =
+        find_growth(SmallMotion(network, find_backbone(network, apart.species, {}), {.freedom = freedom}));
+    EXPECT_FALSE(growth.valid);
+    EXPECT_TRUE(growth.modes.empty());
+    const Certificate c = certify(apart, {.springs = {}, .cell = {.freedom = freedom}});
+    EXPECT_FALSE(c.passed());
+    EXPECT_EQ(c.backbone, 0);
+  }
+}
+
 /// The part of a certificate that judges growth, of a chain whose first sphere is moved along it.
 Part growth_part_of_chain(double moved) {
   constexpr int length = 4;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/laws/hooke_history.h"
 #include "engine/laws/hooke_synchronized.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/setups.h"
@@ -87,9 +88,9 @@ TEST(Stiffness, IsTheSecondDerivativeOfTheEnthalpy) {
 
 /// Work of the forces of the default law, done by `m` on the forces that a motion by x m leaves. The law sees
 /// the motion as one step without damping.
+template <class Law>
 double work_of_law(const Sample& sample, const Motion& m, double x) {
-  const HookeSynchronized law{
-      {.tangential_stiffness = 1, .normal_damping = 0, .tangential_damping = 0, .friction = 1e30}};
+  const Law law{{.tangential_stiffness = 1, .normal_damping = 0, .tangential_damping = 0, .friction = 1e30}};
   double sum = 0;
   const Motion small{x * m.particles, x * m.strain};
   for (const StaticContact& c : sample.network.contacts) {
@@ -117,16 +118,17 @@ double work_of_law(const Sample& sample, const Motion& m, double x) {
 
 // The second-order work with friction that sticks, prestress and turning friction included, against the law
 // that the engine integrates. Only this test compares the two.
-TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
+template <class Law>
+void expect_stiffness_of_the_law() {
   Packing packing = squeezed(0);
   for (Contact& c : packing.contacts) c.history *= 100;  // as large as overlaps, so that its turning counts
-  const Sample sample(
-      packing, {.law = HookeSynchronized{{.tangential_stiffness = 1, .friction = 0.3}}, .at_limit = -1e300});
+  const Sample sample(packing,
+                      {.law = Law{{.tangential_stiffness = 1, .friction = 0.3}}, .at_limit = -1e300});
   ASSERT_EQ(sample.stiffness.bridges(), 0) << "their spin is held besides";
   for (std::uint64_t seed : {4, 5, 6}) {
     const Motion v = random_motion(sample.stiffness, seed);
     constexpr double h = 1e-6;
-    const double answer = (work_of_law(sample, v, h) - work_of_law(sample, v, -h)) / (2 * h);
+    const double answer = (work_of_law<Law>(sample, v, h) - work_of_law<Law>(sample, v, -h)) / (2 * h);
     Strain volume = Strain::Zero();
     volume.head<3>().setConstant(v.strain.head<3>().sum());
     volume.head<3>() -= v.strain.head<3>();
@@ -134,8 +136,13 @@ TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
     const double expected = work(v, sample.stiffness.times(v)) - of_volume;
     // The turning of friction is 1e-3 of the answer: it must be right, too. Rounding over the step leaves
     // 1e-9.
-    EXPECT_NEAR(answer / expected, 1, 1e-8);
+    EXPECT_NEAR(answer / expected, 1, 1e-8) << Law::name;
   }
+}
+
+TEST(Stiffness, IsWhatTheLawAnswersToASmallMotion) {
+  expect_stiffness_of_the_law<HookeSynchronized>();
+  expect_stiffness_of_the_law<HookeHistory>();
 }
 
 // A contact at the Coulomb limit gives way along its friction and holds across it; below the limit it holds

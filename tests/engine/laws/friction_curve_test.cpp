@@ -148,8 +148,8 @@ TYPED_TEST_SUITE(NightlyFrictionCurve, EveryFrictionLaw, LawName);
 // to sliding. The slip agrees to 1 % of the speed of the impact, e_t itself to 1 % where that is not smaller
 // than the tangential speed. Of first order in both laws: where F_n turns from pushing to attracting nothing
 // may be held, and a step leaps over that instant. Legacy counts the
-// slip of the whole step in which the spheres meet, 1.6 % of it at the step of the study: it is held to 1 %
-// at half of it.
+// slip of the whole step in which the spheres meet, 1.6 % of it at the time step of the paper: it is held to
+// 1 % at half of it.
 TYPED_TEST(NightlyFrictionCurve, FollowsThePairModel) {
   constexpr double speed = 1e-5;
   const double step = TypeParam::synchronized ? paper_step : paper_step / 2;

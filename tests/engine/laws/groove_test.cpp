@@ -60,8 +60,8 @@ void compare_with_legacy(const Groove& groove, double reference_step) {
   EXPECT_GT(legacy.largest_load, 1.4) << groove.size_ratio;
 }
 
-// T17: the escape is on time to 2 % at the step of the study; the legacy law fails this wherever friction
-// holds the wedge: with mu = 1 from a size ratio of 2.4 on, with mu = 0.5 from 8.5 on.
+// T17: the escape is on time to 2 % at the time step of the paper; the legacy law fails this wherever
+// friction holds the wedge: with mu = 1 from a size ratio of 2.4 on, with mu = 0.5 from 8.5 on.
 TEST(Groove, LegacySticksWhereSynchronizedEscapesOnTime) {
   for (double size_ratio : {2.0, 10.0}) compare_with_legacy({size_ratio, 1e-5, 0.5}, paper_step / 4);
   for (double size_ratio : {2.0, 5.0}) compare_with_legacy({size_ratio, 1e-5, 1}, paper_step / 4);

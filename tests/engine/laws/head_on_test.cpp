@@ -52,7 +52,7 @@ template <class Law>
 class HeadOnCollision : public testing::Test {};
 TYPED_TEST_SUITE(HeadOnCollision, EveryLaw, LawName);
 
-// T2: undamped, e = 1; at the step of the study the mean error is about 1e-7 and the rms over the
+// T2: undamped, e = 1; at the time step of the paper the mean error is about 1e-7 and the rms over the
 // entry 2.6e-4.
 TYPED_TEST(HeadOnCollision, WithoutDampingIsElasticAtThePaperStep) {
   constexpr int entries = 64;

@@ -178,7 +178,8 @@ double gain(double time_step, int swings) {
 
 /// Expects that rolling to and fro without slip pumps no energy in or out: what the finite step makes of it
 /// is there after ten swings, is of second order, and does not grow. The legacy law, whose history forgets
-/// part of itself whenever the pair turns, loses 4e-6 in each swing at the step of the study, in first order.
+/// part of itself whenever the pair turns, loses 4e-6 in each swing at the time step of the paper, in first
+/// order.
 template <class Law>
 void expect_no_pump(int swings) {
   const double early = gain<Law>(paper_step, 10);

@@ -60,7 +60,7 @@ TYPED_TEST(Sliding, RelaxesToTheLimitWhenTheSliderIsInSeries) {
       << "what the motion has lost and the spring has not got";
 }
 
-// The rule of the study: spring and damping of the whole slip make up the limit, k xi + c v = limit.
+// The rule of the paper: spring and damping of the whole slip make up the limit, k xi + c v = limit.
 TYPED_TEST(Sliding, WindsTheSpringTheOtherWayAsInTheStudy) {
   this->press(large, overlap, slip);
   this->slide(true, 100);

@@ -141,7 +141,7 @@ double frequency(const Model& model, const Packing& start, int steps, const Sign
 constexpr double r = 0.95;
 constexpr double amplitude = 1e-7;
 
-/// Checks the frequency to 1e-3 at the step of the study, and that the error falls with its square.
+/// Checks the frequency to 1e-3 at the time step of the paper, and that the error falls with its square.
 template <class Signal>
 void expect_frequency(double exact, double pressure, const Packing& start, CellFreedom freedom,
                       const Signal& signal) {

@@ -121,7 +121,7 @@ GasError gas_error(double time_step) {
 // T40: in a gas each collision changes H' a little, this way or that, as its beginning and end lie in their
 // steps (T2): a random walk, so what is compared is the change in a unit of time, over 16 gases. It falls by
 // four with half the step, and its mean over the gases is zero within three standard errors. At twice the
-// step of the study terms of fourth order show in both.
+// step of the paper terms of fourth order show in both.
 TEST(Enthalpy, OfAGasStays) {
   const GasError coarse = gas_error(paper_step);
   const GasError fine = gas_error(paper_step / 2);

@@ -47,7 +47,7 @@ TEST(Protocol, OnlyTheLegacyLawMovesTheCellAsLammpsDoes) {
 // t_c = pi (2 k_n/m_s - gamma_n^2/4)^(-1/2) of two spheres of size d_s, of mass pi/6.
 TEST(Protocol, TheStepIsCountedInCollisionTimes) {
   const double unit = std::numbers::pi / std::sqrt(12 / std::numbers::pi - 0.25 / 4);
-  EXPECT_NEAR(time_step_of({.time_step = 0.02}), 0.032415, 1e-6) << "the step of the study";
+  EXPECT_NEAR(time_step_of({.time_step = 0.02}), 0.032415, 1e-6) << "the time step of the paper";
   EXPECT_NEAR(time_step_of({.time_step = 0.05}), 0.05 * unit, 1e-15);
   EXPECT_EQ(time_step_of({.time_step_absolute = 0.03}), 0.03);
   // Overdamped spheres do not collide in any time; that of the undamped pair counts instead.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "engine/base/require.h"
 #include "engine/events/limits.h"
 #include "engine/start/mixture.h"
 #include "tests/engine/support/same_packing.h"
@@ -116,6 +117,14 @@ TEST(ProtocolRun, GoesOnAsIfItHadNotBeenStopped) {
   EXPECT_EQ(second.state().watch.window.size(), whole.state().watch.window.size());
   EXPECT_EQ(second.flips(), whole.flips());
   EXPECT_EQ(second.quenches(), whole.quenches());
+}
+
+TEST(ProtocolRun, RefusesWhatCannotBeRun) {
+  EXPECT_THROW(ProtocolRun(hasty(), Packing{}, 1), InputError);
+  Protocol without_pressure = hasty();
+  without_pressure.pressures.clear();
+  EXPECT_THROW(ProtocolRun(without_pressure, gas(), 1), InputError);
+  EXPECT_THROW(ProtocolRun(hasty(), gas(), 0), ContractError);
 }
 
 TEST(ProtocolRun, ACollapseIsAnOutcome) {

@@ -15,7 +15,7 @@ TEST(FurnasModel, ItsMaximumIsThatOfTheStudy) {
   struct Row {
     double mono, f_max, phi_max;
   };
-  // Without friction, with friction 0.3, and the usual round number; to the digits that the study prints.
+  // Without friction, with friction 0.3, and the usual round number; to the digits that the paper prints.
   for (const Row& row :
        {Row{0.638, 0.26579, 0.86896}, Row{0.588, 0.29178, 0.83026}, Row{0.64, 0.26471, 0.87040}}) {
     const FurnasModel model{row.mono};
