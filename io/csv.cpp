@@ -88,7 +88,14 @@ std::string without_commas(std::string text) {
 
 bool read_csv_row(std::istream& file, std::vector<std::string>& cells, const std::string& name) {
   std::string row, line;
-  while (read_line(file, line)) {
+  const auto next_line = [&] {
+    try {
+      return read_line(file, line);
+    } catch (const std::ios_base::failure&) {
+      throw InputError(name + ": cannot be read any further");
+    }
+  };
+  while (next_line()) {
     if (line.ends_with('\r')) line.pop_back();
     // Only a quote closes a cell that an earlier line has opened.
     const bool may_end = row.empty() || line.find('"') != line.npos;

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "engine/base/hasher.h"
 #include "engine/base/require.h"
@@ -40,17 +39,15 @@ void each_file(const fs::path& folder, Visit&& visit) {
 void write_manifest(const fs::path& folder, const std::string& program) {
   constexpr const char* name = "manifest.json";
   std::map<std::string, nlohmann::ordered_json> files;
-  std::vector<char> block(std::size_t{1} << 20);  // read in blocks: a file may be larger than the memory
   each_file(folder, [&](const fs::path& path) {
     if (path.filename() == name || path.extension() == ".lock") return;
     std::ifstream in = open_file(path);
     std::uint64_t bytes = 0;
     Hasher hasher;
-    while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
-      hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
-      bytes += static_cast<std::uint64_t>(in.gcount());
-    }
-    if (in.bad()) throw OutputError(path.string() + " cannot be read to its end");
+    read_in_parts(in, path, [&](std::string_view part) {
+      hasher.add_bytes(part.data(), part.size());
+      bytes += part.size();
+    });
     files[path.lexically_relative(folder).string()] = {{"bytes", bytes},
                                                        {"xxh3", fmt::format("{:016x}", hasher.value())}};
   });

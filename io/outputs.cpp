@@ -1,6 +1,7 @@
 #include "io/outputs.h"
 
-#include "io/formats.h"
+#include "io/extended_xyz.h"
+#include "io/lammps_dump.h"
 #include "io/vtp_packing.h"
 
 namespace furnas {
@@ -11,18 +12,14 @@ void packing_as(const RunRecord& run, const std::filesystem::path& path) {
   write(run.packing, path);
 }
 
-void packing_in_format(const char* format, const RunRecord& run, const std::filesystem::path& path) {
-  write_packing(run.packing, format, path);
-}
-
 // clang-format off
 constexpr Output table[] = {
     {"result.json",        [](const RunRecord& run, const std::filesystem::path& path) { write_result(run.result, run.resolved_case, path); }},
     {"packing.vtp",        packing_as<write_vtp>},
     {"contacts.vtp",       packing_as<write_contacts_vtp>},
     {"cell.vtp",           packing_as<write_cell_vtp>},
-    {"packing.extxyz",     [](const RunRecord& run, const std::filesystem::path& path) { packing_in_format("extxyz", run, path); }},
-    {"packing.lammpstrj",  [](const RunRecord& run, const std::filesystem::path& path) { packing_in_format("lammps-dump", run, path); }},
+    {"packing.extxyz",     packing_as<write_extended_xyz>},
+    {"packing.lammpstrj",  packing_as<write_lammps_dump>},
 };
 // clang-format on
 

@@ -33,7 +33,7 @@ std::optional<double> Result::phi_J() const {
 }
 
 const char* remark_on_thickness(double diameters) {
-  return diameters < least_thickness ? ": too thin to stand for a large packing" : "";
+  return diameters < least_thickness ? ": too thin to represent a large packing" : "";
 }
 
 void write_result(const Result& r, const Case& c, const std::filesystem::path& path) {

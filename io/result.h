@@ -51,7 +51,7 @@ struct Result {
   std::optional<double> phi_J() const;
 };
 
-/// A cell thinner than this number of largest diameters is too thin to stand for a large packing: a sphere
+/// A cell thinner than this number of largest diameters is too thin to represent a large packing: a sphere
 /// has images of its own neighbours as neighbours, and may order in layers. From here on no shift of phi_J
 /// was measured (docs/developer/decisions/thin-cells.md).
 inline constexpr double least_thickness = 2.5;

@@ -51,13 +51,18 @@ std::ifstream open_file(const std::filesystem::path& path) {
   throw InputError(path.string() + ": cannot be opened for reading");
 }
 
+void read_in_parts(std::ifstream& file, const std::filesystem::path& path,
+                   const std::function<void(std::string_view)>& visit) {
+  std::array<char, 1 << 16> part{};
+  while (file.read(part.data(), part.size()), file.gcount() > 0)
+    visit({part.data(), static_cast<std::size_t>(file.gcount())});
+  if (file.bad()) throw InputError(path.string() + ": cannot be read to its end");
+}
+
 std::string read_file(const std::filesystem::path& path) {
-  std::ifstream stream = open_file(path);
+  std::ifstream file = open_file(path);
   std::string text;
-  std::array<char, 1 << 14> block{};
-  while (stream.read(block.data(), block.size()), stream.gcount() > 0)
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) throw InputError(path.string() + ": cannot be read to its end");
+  read_in_parts(file, path, [&](std::string_view part) { text += part; });
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,11 @@ std::uint64_t readable_size(const std::filesystem::path& path);
 /// Opens a file. Throws InputError if it cannot be opened, and std::bad_alloc if memory is missing; a plain
 /// stream without memory would look like an empty file.
 std::ifstream open_file(const std::filesystem::path& path);
+
+/// Calls `visit` with one part after the other of what is left in an open file, which may be larger than the
+/// memory. Throws InputError with `path` if the file cannot be read to its end.
+void read_in_parts(std::ifstream& file, const std::filesystem::path& path,
+                   const std::function<void(std::string_view)>& visit);
 
 /// The content of a file; throws as open_file does, and InputError if the file cannot be read to its end.
 std::string read_file(const std::filesystem::path& path);

@@ -44,6 +44,9 @@ struct Entry {
 class TradeoffReader {
  public:
   explicit TradeoffReader(const std::filesystem::path& file) : file_(file), root_(read_table(file)) {
+    if (const toml::node* sweep = root_.get(sweep_table))
+      throw InputError(fmt::format("{}: [{}] has no effect in a tradeoff; allowed: [cases.NAME], [arms.NAME]",
+                                   place_of(*sweep), sweep_table));
     base_ = root_;
     for (const char* own : own_tables) base_.erase(own);
   }

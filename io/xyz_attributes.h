@@ -18,7 +18,6 @@ class XyzAttributes {
   /// twice.
   explicit XyzAttributes(const TextReader& reader);
 
-  bool has(const std::string& key) const { return values_.contains(key); }
   /// The value of the first of these keys that exists; null if none exists.
   const std::string* first_of(std::initializer_list<const char*> keys) const;
 

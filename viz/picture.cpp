@@ -164,6 +164,17 @@ ColourKey legend_of(const Packing& packing, const PictureOptions& options) {
   return {.title = "normal force [k_n d_s]", .scale = ColourScale{1e-2 * strongest, strongest, true}};
 }
 
+/// Makes opaque pixels as transparent as they can be without changing their look on a white background.
+void take_out_white(Pixels& picture) {
+  for (std::size_t k = 0; k < picture.rgba.size(); k += 4) {
+    std::uint8_t* const pixel = &picture.rgba[k];
+    const int white = std::min({pixel[0], pixel[1], pixel[2]}), opacity = 255 - white;
+    for (int c = 0; c < 3 && opacity > 0; ++c)
+      pixel[c] = static_cast<std::uint8_t>(255 * (pixel[c] - white) / opacity);
+    pixel[3] = static_cast<std::uint8_t>(opacity);
+  }
+}
+
 /// The packing without a legend; it fills the whole frame.
 Pixels render_packing(const Packing& packing, const PictureOptions& options) {
   OffscreenWindow offscreen(options.width, options.height);
@@ -193,6 +204,7 @@ Pixels render(const Packing& packing, const PictureOptions& options) {
   above.height -= strip;
   const Pixels drawn = render_packing(packing, above);
   Pixels picture = drawn_key(legend_of(packing, options), options.width);
+  if (options.transparent) take_out_white(picture);
   picture.height = options.height;
   picture.rgba.insert(picture.rgba.end(), drawn.rgba.begin(), drawn.rgba.end());
   return picture;

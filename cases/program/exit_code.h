@@ -4,7 +4,7 @@ namespace furnas {
 
 /// The exit codes of the program.
 enum class ExitCode {
-  done = 0,               ///< jammed, or the command did what it was asked
+  done = 0,               ///< jammed or settled, or the command did what it was asked
   internal_error = 1,     ///< an error in the program
   bad_case = 2,           ///< the case file, an option or a path cannot be used
   refused = 3,            ///< the preflight found that the case would fail

@@ -44,6 +44,7 @@ std::string smaller(double particles, const MemoryLimit& limit, const Case& c) {
                     : "no picture (output.picture = \"none\")";
   }
   if (!c.start.file.empty()) return "a smaller start.file";
+  if (!c.mixture.diameters.empty()) return "a shorter list of diameters";
   const std::int64_t large = largest_below(c.mixture.large, [&](std::int64_t some) {
     const double share = static_cast<double>(some) / static_cast<double>(c.mixture.large);
     return expected_memory(share * particles, c) <= limit.bytes;
@@ -66,10 +67,12 @@ double steps_of_window(const Case& c, double smallest) {
 std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
   if (c.compaction.cell == "fixed") return {};  // such a run is meant to end with its steps
   if (c.contact.normal_damping == 0 && c.contact.friction == 0 &&
-      c.compaction.drag.value_or(c.compaction.cell_damping) == 0)
-    return "nothing takes energy out: contact.normal_damping = 0, contact.friction = 0 and "
-           "compaction.cell_damping = 0, so that the packing never comes to rest; give one of them a value, "
-           "or take compaction.cell = \"fixed\"";
+      c.compaction.drag.value_or(c.compaction.cell_damping) == 0) {
+    return fmt::format(
+        "nothing takes energy out: contact.normal_damping, contact.friction and compaction.{} are 0, so that "
+        "the packing never comes to rest; give one of them a value, or take compaction.cell = \"fixed\"",
+        c.compaction.drag ? "drag" : "cell_damping");
+  }
   constexpr double longest = 30 * 365.25 * 86400;  // [s]
   const double window = steps_of_window(c, smallest);
   const double shortest = seconds_a_step * std::min(window, static_cast<double>(c.stop.steps));
@@ -125,6 +128,13 @@ std::string unit_of_list(const Case& c) {
                      c.mixture.diameters);
 }
 
+/// A number with one digit: "2e5".
+std::string one_digit(double x) {
+  std::string text = fmt::format("{:.0e}", x);  // "2e+05"
+  text.erase(text.find('e') + 1, text[text.find('e') + 2] == '0' ? 2 : 1);
+  return text;
+}
+
 /// A remark on a size ratio without effect: in a mixture without small spheres all spheres are equal.
 std::string remark_on_size_ratio(const Case& c) {
   if (c.mixture.size_ratio == 1 || c.mixture.small_fraction > 0) return {};
@@ -161,9 +171,11 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       relative_time_step(protocol_of(c), smallest), rule, dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
   out.refusal = refusal_of_units(n, c);
-  out.remark = unit_of_list(c) + remark_on_size_ratio(c);
-  for (const std::string& units : {out.refusal, out.remark})
+  const std::string unit = unit_of_list(c), without_effect = remark_on_size_ratio(c);
+  out.remark = unit + without_effect;  // never both: a list excludes the other keys of the mixture
+  for (const std::string& units : {out.refusal, unit})
     if (!units.empty()) out.report += "units     " + units + "\n";
+  if (!without_effect.empty()) out.report += "note      " + without_effect + "\n";
 
   const double diameters = dense_thickness(n.volume) / n.sizes.largest;
   out.report += fmt::format(
@@ -177,13 +189,12 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const double expected = expected_steps(c, n.particles);
   const auto seconds = [&](double steps) { return steps * n.particles / rate; };
   const bool drawn = c.start.file.empty() && c.mixture.diameters.empty();
-  const double ten = std::pow(10, std::floor(std::log10(std::max(expected, 1.0))));
-  out.report += fmt::format(
-      "time      about {} for {:.0f}e{:.0f} steps, {}; {} for the cap of {} steps; on {} thread{}\n",
-      duration_text(seconds(expected)), expected / ten, std::log10(ten),
-      drawn ? "known within a factor of three" : "a guess from equal spheres",
-      duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps, threads,
-      threads == 1 ? "" : "s");
+  out.report +=
+      fmt::format("time      about {} for {} steps, {}; {} for the cap of {} steps; on {} thread{}\n",
+                  duration_text(seconds(expected)), one_digit(std::max(expected, 1.0)),
+                  drawn ? "known within a factor of three" : "a guess from equal spheres",
+                  duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps, threads,
+                  threads == 1 ? "" : "s");
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&

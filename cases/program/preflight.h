@@ -14,7 +14,8 @@ struct Preflight {
   std::string remark;   ///< a remark that a run prints first, also part of the report; may be empty
 };
 
-/// Computes sizes, time scales, memory and expected time of a case without creating its packing.
+/// Computes sizes, time scales, memory and expected time of a case without running it. Reads a start.file or
+/// a list of diameters.
 Preflight check_case(const Case& c, const MemoryLimit& limit = memory_limit());
 
 /// Approximate number of particle-steps per second on one core (docs/results/performance.md: 16e6 for equal

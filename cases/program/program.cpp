@@ -38,7 +38,9 @@ ExitCode answer(const CLI::App& app, const CLI::ParseError& error, Console conso
     return ExitCode::done;
   }
   std::string asked = "furnas";
-  for (const CLI::App* command : app.get_subcommands()) asked += " " + command->get_name();
+  for (auto commands = app.get_subcommands(); !commands.empty();
+       commands = commands.front()->get_subcommands())
+    asked += " " + commands.front()->get_name();
   return complain(console, ExitCode::bad_case,
                   fmt::format("{}; see {} --help", one_line(error.what()), asked));
 }
@@ -59,7 +61,7 @@ std::optional<std::string> unknown_command(std::span<const Command> commands,
 /// The meaning of the exit codes, for the help text.
 constexpr const char* exit_codes =
     "Exit codes:\n"
-    "  0    done; of run and resume: jammed\n"
+    "  0    done; of run and resume: jammed or settled\n"
     "  1    an error of the program\n"
     "  2    the case, an option or a path cannot be used\n"
     "  3    refused, because the case would fail\n"
@@ -91,7 +93,10 @@ ExitCode run_guarded(const Command& command, Console console) {
   } catch (const std::filesystem::filesystem_error& error) {
     if (error.code() == std::errc::not_enough_memory)
       return complain(console, ExitCode::out_of_memory, "out of memory");
-    return complain(console, ExitCode::output_failed, error.what());
+    const bool bad_path = error.code() == std::errc::permission_denied ||
+                          error.code() == std::errc::filename_too_long ||
+                          error.code() == std::errc::too_many_symbolic_link_levels;
+    return complain(console, bad_path ? ExitCode::bad_case : ExitCode::output_failed, error.what());
   } catch (const std::system_error& error) {
     // The system reports with this error that it has no memory or no number left for another thread.
     if (error.code() == std::errc::resource_unavailable_try_again)

@@ -1,60 +1,37 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cases/program/case_templates.h"
-#include "cases/program/program.h"
 #include "io/case_file.h"
 #include "io/case_schema.h"
 #include "io/sweep_file.h"
 #include "io/tradeoff_file.h"
+#include "tests/cases/runs.h"
 
 namespace furnas {
-Command new_command();
-Command schema_command();
-Command info_command();
-
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-std::string read_all(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 /// Runs commands in an empty folder of its own.
 class Commands : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("furnas_") + test->name() + std::to_string(getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   ExitCode furnas(const std::vector<std::string>& arguments) {
-    const std::vector<Command> commands = {new_command(), schema_command(), info_command()};
-    std::ostringstream out;
-    std::ostringstream err;
-    const ExitCode code = run_program(commands, arguments, {out, err});
-    out_ = out.str();
-    err_ = err.str();
-    return code;
+    Answer answer = ::furnas::furnas(arguments);
+    out_ = std::move(answer.out);
+    err_ = std::move(answer.err);
+    return answer.code;
   }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
   std::string out_, err_;
 };
 
@@ -71,7 +48,7 @@ TEST_F(Commands, NewNeverOverwrites) {
   std::ofstream(path("mine.toml")) << "mine";
   EXPECT_EQ(furnas({"new", "mono", path("mine.toml")}), ExitCode::bad_case);
   EXPECT_THAT(err_, HasSubstr("mine.toml exists"));
-  EXPECT_EQ(read_all(path("mine.toml")), "mine");
+  EXPECT_EQ(content(path("mine.toml")), "mine");
 }
 
 TEST_F(Commands, NewRefusesUnknownTemplatesAndPlaces) {
@@ -89,7 +66,7 @@ TEST_F(Commands, TemplatesAreTheCaseFiles) {
   EXPECT_EQ(case_templates().size(), files);
   for (const CaseTemplate& known : case_templates()) {
     const auto file = fs::path(FURNAS_SOURCE_DIR) / "cases" / (std::string(known.file) + ".toml");
-    EXPECT_EQ(known.text, read_all(file)) << file;
+    EXPECT_EQ(known.text, content(file)) << file;
     EXPECT_THAT(std::string(known.text), HasSubstr("# Expect: ")) << "a case says what to expect";
     if (known.file.starts_with("tradeoff")) {
       EXPECT_NO_THROW(read_tradeoff(file)) << file;
@@ -109,7 +86,7 @@ TEST_F(Commands, SchemaListsEveryKey) {
 
 TEST_F(Commands, TheReferencePageIsWhatSchemaWrites) {
   ASSERT_EQ(furnas({"schema", "--markdown"}), ExitCode::done);
-  EXPECT_EQ(out_, read_all(fs::path(FURNAS_SOURCE_DIR) / "docs/reference/case-file.md"))
+  EXPECT_EQ(out_, content(fs::path(FURNAS_SOURCE_DIR) / "docs/reference/case-file.md"))
       << "run: ./furnas schema --markdown > docs/reference/case-file.md";
 }
 

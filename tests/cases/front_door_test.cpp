@@ -147,6 +147,15 @@ TEST_F(FrontDoor, TestFailsOnAForeignFormat) {
   EXPECT_THAT(answer.text, HasSubstr("format: not clang-format's: io/odd.cpp"));
 }
 
+TEST_F(FrontDoor, TestFailsIfTheFormatCannotBeChecked) {
+  for (const char* room : {"engine", "io", "viz", "cases", "tests"}) fs::create_directories(root_ / room);
+  write(root_ / "io/odd.cpp", "int odd();\n");
+  write_script(root_ / "bin/clang-format", "echo no such style >&2; exit 1");
+  const ShellAnswer answer = door("test", "PATH=\"" + (root_ / "bin").string() + ":$PATH\"");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.text, HasSubstr("format: clang-format failed:\nno such style"));
+}
+
 /// Commands that stand in for Debian's: nothing is installed, and what is asked for is written down.
 class FrontDoorPackages : public FrontDoor {
  protected:

@@ -60,7 +60,7 @@ TEST(Preflight, SaysWhatChoseTheStep) {
 }
 
 TEST(Preflight, RemarksOnACellOfFewLargeSpheres) {
-  const char* const thin = "too thin to stand for a large packing";
+  const char* const thin = "too thin to represent a large packing";
   const char* const images = "spheres touch several images of each other";
   Case c;
   c.mixture.large = 5;
@@ -83,6 +83,7 @@ TEST(Preflight, SaysThatSpheresOfOneSizeAreAllEqual) {
   EXPECT_EQ(check_case(c).remark, "");
   c.mixture.small_fraction = 0;
   EXPECT_THAT(check_case(c).remark, HasSubstr("size_ratio = 2 has no effect"));
+  EXPECT_THAT(check_case(c).report, HasSubstr("note      mixture.size_ratio = 2 has no effect"));
 }
 
 TEST(Preflight, RefusesWhatTheMachineCannotHold) {
@@ -94,6 +95,16 @@ TEST(Preflight, RefusesWhatTheMachineCannotHold) {
   const std::string refusal = check_case(c).refusal;  // 2e9 spheres
   EXPECT_THAT(refusal, HasSubstr(" GB"));
   EXPECT_THAT(refusal, HasSubstr("take fewer particles (mixture.large = "));
+
+  const TemporaryFolder folder;
+  Case listed;
+  listed.mixture.diameters = folder / "list.txt";
+  std::string diameters;
+  for (int k = 0; k < 2000; ++k) diameters += "1\n";
+  write_file(listed.mixture.diameters, diameters);
+  listed.output.picture = "none";
+  EXPECT_THAT(check_case(listed, {1e6, "a limit allows"}).refusal,
+              HasSubstr("take a shorter list of diameters"));
 }
 
 /// A control group or ulimit that allows less than the machine has counts.
@@ -139,7 +150,8 @@ TEST(ReliablePreflight, RefusesWhatNeverComesToRest) {
   c.compaction.drag = 0;
   EXPECT_TRUE(check_case(c).refusal.empty()) << "friction takes energy out";
   c.contact.friction = 0;
-  EXPECT_THAT(check_case(c).refusal, HasSubstr("contact.normal_damping = 0"));
+  EXPECT_THAT(check_case(c).refusal,
+              HasSubstr("contact.normal_damping, contact.friction and compaction.drag are 0"));
   c.compaction.drag = 0.1;
   EXPECT_TRUE(check_case(c).refusal.empty());
   c.compaction.drag = 0.0;
@@ -172,7 +184,7 @@ TEST(Preflight, CountsAnyNumberOfSpheres) {
   Case c;
   c.mixture.size_ratio = 40;
   c.mixture.small_fraction = 0.292;
-  EXPECT_THAT(check_case(c).report, HasSubstr("particles 26396480: 1000 large"));  // the study's largest
+  EXPECT_THAT(check_case(c).report, HasSubstr("particles 26396480: 1000 large"));  // the paper's largest
   EXPECT_THAT(check_case(c).report, HasSubstr("memory    about 19.75 GB"));
   c.mixture.large = 10'000'000;
   c.mixture.size_ratio = 100;

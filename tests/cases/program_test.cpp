@@ -69,6 +69,15 @@ TEST(Program, TellsWhatCannotBePrinted) {
 TEST(Program, FaultsOfTheSurroundingsHaveTheirCodes) {
   EXPECT_EQ(ask(command_that_throws(OutputError("a: disk full")), {"act"}).code, ExitCode::output_failed);
   EXPECT_EQ(ask(command_that_throws(FolderInUse("a is in use")), {"act"}).code, ExitCode::folder_in_use);
+  const auto code_of = [](std::errc fault) {
+    const std::filesystem::filesystem_error error("status", "a", std::make_error_code(fault));
+    return ask(command_that_throws(error), {"act"}).code;
+  };
+  EXPECT_EQ(code_of(std::errc::not_enough_memory), ExitCode::out_of_memory);
+  EXPECT_EQ(code_of(std::errc::no_space_on_device), ExitCode::output_failed);
+  for (const std::errc fault :
+       {std::errc::permission_denied, std::errc::filename_too_long, std::errc::too_many_symbolic_link_levels})
+    EXPECT_EQ(code_of(fault), ExitCode::bad_case);
 }
 
 TEST(Program, AWrongCommandLineIsABadCase) {

@@ -98,7 +98,7 @@ std::vector<std::string> mono(int count, double friction) {
   return {fmt::format("mixture.large={}", count), fmt::format("contact.friction={}", friction)};
 }
 
-/// Every energy that went through a run is accounted for: to 5e-3 at the time step of the study, and to
+/// Every energy that went through a run is accounted for: to 5e-3 at the time step of the paper, and to
 /// second order in the time step.
 void expect_closed_ledger(const Ensemble& e) {
   EXPECT_LT(e.energy_gap, 5e-3 * std::pow(e.time_step / 0.02, 2));
@@ -176,7 +176,7 @@ TEST(NightlyPublished, BidisperseWithoutFriction) {
   expect_phi(e, 0.644, 0.648, 0.635, 0.655);
 }
 
-/// phi_J of equal spheres in the study (arXiv 2105.00977, the text on its Fig. 2). The paper does not give
+/// phi_J of equal spheres in the paper (arXiv 2105.00977, the text on its Fig. 2). The paper does not give
 /// the inertia and the drag of its cell; it refers to an earlier paper.
 constexpr double published_without_friction = 0.638;
 constexpr double published_with_friction = 0.588;  ///< of 0.3

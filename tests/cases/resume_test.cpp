@@ -66,6 +66,11 @@ TEST(ReliableResume, NeverAsksForFewerStepsThanAreDone) {
   EXPECT_THAT(fewer.err,
               HasSubstr("stop.steps = 499, but 500 steps are done; allowed: at least 500, or --more"));
   EXPECT_EQ(runs.resume("parts", {"--steps", "800", "--more", "1"}).code, ExitCode::bad_case);
+  for (const char* too_many : {"2000000000000", "9223372036854775807"}) {
+    const Answer answer = runs.resume("parts", {"--more", too_many});
+    EXPECT_EQ(answer.code, ExitCode::bad_case);
+    EXPECT_THAT(answer.err, HasSubstr("stop.steps"));
+  }
   ASSERT_EQ(runs.resume("parts", {"--more", "400"}).code, ExitCode::budget_spent);
   EXPECT_EQ(difference(runs.path("parts"), runs.path("whole")), "");
 }

@@ -15,11 +15,15 @@ Command export_command();
 Command import_command();
 Command replicate_command();
 Command bench_command();
+Command new_command();
+Command schema_command();
+Command info_command();
 
 Answer furnas(const std::vector<std::string>& arguments) {
   const std::vector<Command> commands = {
       check_command(),  run_command(),    resume_command(), analyze_command(),   certify_command(),
-      render_command(), export_command(), import_command(), replicate_command(), bench_command()};
+      render_command(), export_command(), import_command(), replicate_command(), bench_command(),
+      new_command(),    schema_command(), info_command()};
   std::ostringstream out;
   std::ostringstream err;
   const ExitCode code = run_program(commands, arguments, {out, err});

@@ -55,6 +55,12 @@ TEST(Csv, RefusesQuotesThatAreNeverClosed) {
   EXPECT_LT(file.tellg(), 1'100'000) << "of 2.4 MB";
 }
 
+TEST(Csv, NamesWhatCannotBeRead) {
+  std::ifstream folder("/");  // can be opened as a file, but not read
+  Cells cells;
+  EXPECT_THROW(read_csv_row(folder, cells, "a.csv"), InputError);
+}
+
 TEST(WithoutCommas, NeedsNoQuotes) {
   EXPECT_EQ(without_commas("spent, it waits\nfor rest"), "spent; it waits for rest");
 }

@@ -80,6 +80,8 @@ TEST_F(TradeoffFiles, SayWhatIsWrong) {
   const std::string text = two_cases;
   const auto with = [&](const std::string& more) { return complaint(text + more); };
   EXPECT_THAT(complaint("[mixture]\nlarge = 5\n"), HasSubstr("no [tradeoff]"));
+  EXPECT_THAT(with("[[sweep]]\n\"contact.friction\" = [0.1]\n"),
+              HasSubstr("[sweep] has no effect in a tradeoff"));
   EXPECT_THAT(with("[arms.a]\n\"contact.frict\" = 1.0\n"), HasSubstr("\"contact.friction\""));
   EXPECT_THAT(with("[arms.a]\n\"contact.friction\" = -1.0\n"), HasSubstr("0 <= friction"));
   EXPECT_THAT(with("[arms.a]\n\"mixture.seed\" = 4\n"), HasSubstr("seeds are taken from the samples"));

@@ -14,6 +14,7 @@
 
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "tests/io/packings.h"
 #include "viz/chart/layout.h"
 
 namespace furnas {
@@ -21,13 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-fs::path place(const std::string& name) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::path(testing::TempDir()) / (std::string("furnas-chart-") + test->name());
-  fs::create_directories(folder);
-  return folder / name;
-}
 
 bool looks(const Pixels& picture, double x, double y, const Colour& colour) {
   const auto at = 4 * (std::size_t(y) * std::size_t(picture.width) + std::size_t(x));
@@ -172,7 +166,8 @@ void collect(vtkXMLDataElement& element, std::vector<std::string>& texts, std::s
 }
 
 TEST(Chart, SvgIsWellFormedAndContainsTheLabels) {
-  const fs::path path = place("chart.svg");
+  const TemporaryFolder folder;
+  const fs::path path = folder / "chart.svg";
   render_svg(three_series(), path);
   std::ifstream stream(path);
   vtkNew<vtkXMLDataParser> parser;
@@ -194,7 +189,8 @@ TEST(Chart, SvgIsWellFormedAndContainsTheLabels) {
 }
 
 TEST(Chart, WritesAPng) {
-  const fs::path path = place("chart.png");
+  const TemporaryFolder folder;
+  const fs::path path = folder / "chart.png";
   render_png(three_series(), path);
   std::ifstream stream(path, std::ios::binary);
   std::array<char, 8> head{};
@@ -208,8 +204,9 @@ TEST(Chart, RefusesSeriesThatDoNotFitTogetherAndPathsThatCannotBeWritten) {
   EXPECT_THROW(render(chart), ContractError);
   chart.series = {{"", {1}, {1}, {{1, 1}, {2, 2}}}};
   EXPECT_THROW(render(chart), ContractError);
-  EXPECT_THROW(render_svg(three_series(), place("missing/chart.svg")), OutputError);
-  EXPECT_THROW(render_png(three_series(), place("missing/chart.png")), OutputError);
+  const TemporaryFolder folder;
+  EXPECT_THROW(render_svg(three_series(), folder / "missing/chart.svg"), OutputError);
+  EXPECT_THROW(render_png(three_series(), folder / "missing/chart.png"), OutputError);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "tests/io/packings.h"
 #include "viz/picture_key.h"
 #include "viz/scene.h"
 #include "viz/spheres.h"
@@ -25,15 +26,6 @@ namespace {
 
 using testing::HasSubstr;
 using Pixel = std::array<int, 4>;
-
-/// An empty folder of this test's own.
-std::filesystem::path fresh_folder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / (std::string("furnas-") + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 /// A sheared cell with particles on a lattice of n^3 places, large and small in turn.
 Packing lattice(int n, double large, double small) {
@@ -102,7 +94,8 @@ double brightness(const Pixels& picture) {
 }
 
 TEST(Picture, FileShowsBothSpeciesOnWhite) {
-  const auto path = fresh_folder() / "packing.png";
+  const TemporaryFolder folder;
+  const auto path = folder / "packing.png";
   render_picture(lattice(4, 1.1, 0.9), path, {.width = 300, .height = 200});
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
@@ -142,7 +135,8 @@ TEST(Picture, BlockFillsTheFrame) {
 }
 
 TEST(Picture, TransparentOutsideAndOpaqueInside) {
-  const auto path = fresh_folder() / "packing.png";
+  const TemporaryFolder folder;
+  const auto path = folder / "packing.png";
   render_picture(lattice(3, 1.6, 1.5), path, {.width = 120, .height = 120, .transparent = true});
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
@@ -317,7 +311,7 @@ TEST(Picture, RefusesWhatCannotBeDrawn) {
 }
 
 TEST(Picture, NamesThePathThatCannotBeWritten) {
-  const auto folder = fresh_folder();
+  const TemporaryFolder folder;
   const PictureOptions options{.width = 20, .height = 20};
   const auto lost = folder / "missing" / "packing.png";
   EXPECT_THAT(refusal<OutputError>([&] { render_picture(one_sphere(), lost, options); }),
@@ -331,7 +325,7 @@ TEST(Picture, NamesThePathThatCannotBeWritten) {
 }
 
 TEST(Picture, ExtensionNamesTheFormat) {
-  const auto folder = fresh_folder();
+  const TemporaryFolder folder;
   const PictureOptions options{.width = 20, .height = 20};
   render_picture(one_sphere(), folder / "a.jpg", options);
   vtkNew<vtkJPEGReader> reader;
@@ -342,6 +336,22 @@ TEST(Picture, ExtensionNamesTheFormat) {
   EXPECT_THAT(refusal([&] { render_picture(one_sphere(), folder / "b.jpg", clear); }),
               HasSubstr("a JPEG cannot be transparent"));
   EXPECT_FALSE(std::filesystem::exists(folder / "b.jpg"));
+}
+
+TEST(Picture, KeyOfATransparentPictureHasNoBackground) {
+  PictureOptions options{.width = 500, .height = 500, .key = true, .colouring = Colouring::coordination};
+  const Pixels opaque = render(one_sphere(), options);
+  options.transparent = true;
+  const Pixels clear = render(one_sphere(), options);
+  std::size_t letters = 0;
+  for (std::size_t k = 0; k < 4u * 500 * static_cast<std::size_t>(height_of_key(500)); k += 4) {
+    const int opacity = clear.rgba[k + 3];
+    for (std::size_t c = k; c < k + 3; ++c)  // laid over white it looks as before
+      ASSERT_NEAR((clear.rgba[c] * opacity + 255 * (255 - opacity)) / 255.0, opaque.rgba[c], 1.01) << k;
+    letters += opacity > 128;
+  }
+  EXPECT_EQ(clear.rgba[3], 0) << "the corner";
+  EXPECT_GT(letters, 100u);
 }
 
 TEST(Picture, KeyStandsBelowThePacking) {

@@ -40,17 +40,7 @@ class ChartDrawing {
   }
 
  private:
-  double along_x(double at) const {
-    const auto& [low, high] = layout_.x;
-    return layout_.frame.left + (at - low) / (high - low) * (layout_.frame.right - layout_.frame.left);
-  }
-  double along_y(double at) const {
-    const auto& [low, high] = layout_.y;
-    return layout_.frame.bottom + (at - low) / (high - low) * (layout_.frame.top - layout_.frame.bottom);
-  }
-  /// Position on the canvas; not finite if the point cannot be shown.
-  Spot spot(double x, double y) const { return {along_x(shown(chart_.x, x)), along_y(shown(chart_.y, y))}; }
-  static bool visible(const Spot& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+  Spot spot(double x, double y) const { return spot_of(chart_, layout_, x, y); }
 
   /// Draws the dashes of a dashed line; the pattern continues around corners.
   void draw_dashed(const Polyline& line, const Dashes& dashes, const Colour& colour) {
@@ -171,13 +161,13 @@ class ChartDrawing {
     const auto thin = [&](const Polyline& line) { canvas_.line(line, black, 0.6 * size_.line); };
     thin({{left, bottom}, {right, bottom}, {right, top}, {left, top}, {left, bottom}});
     for (const Tick& tick : layout_.x_ticks) {
-      const double x = along_x(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
+      const double x = layout_.along_x(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
       thin({{x, bottom}, {x, bottom + length}});
       thin({{x, top}, {x, top - length}});
       write(canvas_, {x, bottom - 1.2 * size_.gap}, tick.label, size_.label, {Across::centre, Along::top});
     }
     for (const Tick& tick : layout_.y_ticks) {
-      const double y = along_y(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
+      const double y = layout_.along_y(tick.at), length = size_.gap * (tick.label.empty() ? 0.4 : 0.8);
       thin({{left, y}, {left + length, y}});
       thin({{right, y}, {right - length, y}});
       write(canvas_, {left - 0.8 * size_.gap, y}, tick.label, size_.label, {Across::right, Along::centre});

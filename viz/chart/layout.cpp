@@ -113,11 +113,8 @@ void place_frame(const Chart& chart, ChartLayout& layout) {
 /// Points along everything that is drawn, so dense that no part of it lies unnoticed in a box [pixels].
 std::vector<Spot> ink(const Chart& chart, const ChartLayout& layout) {
   constexpr int between = 24;
-  const Box& f = layout.frame;
-  const auto place = [&](const Series& s, std::size_t k, double way) -> Spot {
-    const double x = (shown(chart.x, s.x[k]) - layout.x.low) / (layout.x.high - layout.x.low);
-    const double y = (shown(chart.y, s.y[k] + way) - layout.y.low) / (layout.y.high - layout.y.low);
-    return {f.left + x * (f.right - f.left), f.bottom + y * (f.top - f.bottom)};
+  const auto place = [&](const Series& s, std::size_t k, double way) {
+    return spot_of(chart, layout, s.x[k], s.y[k] + way);
   };
   std::vector<Spot> points;
   for (const Series& s : chart.series)
@@ -142,12 +139,6 @@ Box corner(const Box& frame, LegendPlace place, const std::array<double, 2>& siz
   const double left = right ? frame.right - gap - size[0] : frame.left + gap;
   const double bottom = top ? frame.top - gap - size[1] : frame.bottom + gap;
   return {left, bottom, left + size[0], bottom + size[1]};
-}
-
-std::size_t covered(const Box& box, const std::vector<Spot>& points, double gap) {
-  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Spot& p) {
-    return p.x > box.left - gap && p.x < box.right + gap && p.y > box.bottom - gap && p.y < box.top + gap;
-  }));
 }
 
 /// Width and height of the legend; nothing if there is no legend.
@@ -198,6 +189,26 @@ LegendPlace find_place(const Chart& chart, const std::array<double, 2>& size, Ch
 }
 
 }  // namespace
+
+double ChartLayout::along_x(double coordinate) const {
+  return frame.left + (coordinate - x.low) / (x.high - x.low) * (frame.right - frame.left);
+}
+
+double ChartLayout::along_y(double coordinate) const {
+  return frame.bottom + (coordinate - y.low) / (y.high - y.low) * (frame.top - frame.bottom);
+}
+
+Spot spot_of(const Chart& chart, const ChartLayout& layout, double x, double y) {
+  return {layout.along_x(shown(chart.x, x)), layout.along_y(shown(chart.y, y))};
+}
+
+bool visible(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
+
+std::size_t covered(const Box& box, const std::vector<Spot>& spots, double gap) {
+  return static_cast<std::size_t>(std::count_if(spots.begin(), spots.end(), [&](const Spot& p) {
+    return p.x > box.left - gap && p.x < box.right + gap && p.y > box.bottom - gap && p.y < box.top + gap;
+  }));
+}
 
 double shown(const ChartAxis& axis, double value) {
   if (!axis.logarithmic) return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();

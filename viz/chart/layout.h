@@ -15,6 +15,10 @@ struct ChartLayout {
   std::vector<Tick> x_ticks, y_ticks;
   Box frame;   ///< where the data are drawn
   Box legend;  ///< empty if there is none
+
+  /// Position on the canvas of a coordinate along an axis (`shown`).
+  double along_x(double coordinate) const;
+  double along_y(double coordinate) const;
 };
 
 /// Sizes of the elements of a chart, proportional to the size of the chart [pixels].
@@ -36,5 +40,14 @@ ChartLayout layout_of(const Chart& chart);
 
 /// Coordinate of a value along an axis: the value or its decimal logarithm; NaN if it cannot be shown.
 double shown(const ChartAxis& axis, double value);
+
+/// Position of a point of the data on the canvas; not finite if an axis cannot show it.
+Spot spot_of(const Chart& chart, const ChartLayout& layout, double x, double y);
+
+/// Whether a position is finite.
+bool visible(const Spot& spot);
+
+/// Number of spots in a box or nearer to it than `gap` [pixels].
+std::size_t covered(const Box& box, const std::vector<Spot>& spots, double gap);
 
 }  // namespace furnas

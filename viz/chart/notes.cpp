@@ -35,14 +35,7 @@ class NotePlacing {
   }
 
  private:
-  Spot spot(double x, double y) const {
-    const Box& f = layout_.frame;
-    return {
-        f.left + (shown(chart_.x, x) - layout_.x.low) / (layout_.x.high - layout_.x.low) * (f.right - f.left),
-        f.bottom +
-            (shown(chart_.y, y) - layout_.y.low) / (layout_.y.high - layout_.y.low) * (f.top - f.bottom)};
-  }
-  static bool visible(const Spot& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+  Spot spot(double x, double y) const { return spot_of(chart_, layout_, x, y); }
 
   /// Adds a marker, and points along its error bar, to the points that notes should not cover.
   void add_ink(const Series& s, std::size_t k) {
@@ -59,12 +52,6 @@ class NotePlacing {
   Box box_at(const Spot& place, const Spot& way, double width) const {
     const double left = place.x + (way.x - 1) / 2 * width, bottom = place.y + (way.y - 1) / 2 * height_;
     return {left, bottom, left + width, bottom + height_};
-  }
-
-  std::size_t covered(const Box& box, const std::vector<Spot>& spots, double gap) const {
-    return static_cast<std::size_t>(std::count_if(spots.begin(), spots.end(), [&](const Spot& p) {
-      return p.x > box.left - gap && p.x < box.right + gap && p.y > box.bottom - gap && p.y < box.top + gap;
-    }));
   }
 
   /// The cost of a place for a note; infinite if the place is not allowed.

@@ -54,14 +54,25 @@ run ${{steps}}
                      lammps_law(model), model.time_step, lammps_bath(packing, model));
 }
 
+namespace {
+
+/// Throws LAMMPS's own error message if its log has one.
+void refuse_error_in(const fs::path& log) {
+  std::ifstream file(log);
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("ERROR")) throw std::runtime_error("LAMMPS: " + line);
+}
+
+}  // namespace
+
 LammpsTiming timing_in(const fs::path& log) {
+  refuse_error_in(log);
   std::ifstream file(log);
   LammpsTiming timing;
   bool timed = false;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     std::string word;
-    if (line.starts_with("ERROR")) throw std::runtime_error("LAMMPS: " + line);
     if (line.starts_with("Loop time of "))
       timed = static_cast<bool>(words >> word >> word >> word >> timing.seconds);
     if (line.starts_with("Neighbor list builds = ")) words >> word >> word >> word >> word >> timing.rebuilds;
@@ -89,8 +100,7 @@ void Lammps::call(const LammpsSetting& setting, std::int64_t steps, int ranks, D
       shell_word(folder_.string()), ranks > 1 ? fmt::format("mpirun -np {} ", ranks) : "", setting.style,
       setting.style == "multi" ? "on" : "off", setting.skin, steps, dump == Dump::forces ? "yes" : "no");
   if (std::system(command.c_str()) == 0) return;
-  if (fs::exists(folder_ / "log.lammps"))
-    timing_in(folder_ / "log.lammps");  // throws LAMMPS's own error message, if there is one
+  refuse_error_in(folder_ / "log.lammps");
   throw std::runtime_error("LAMMPS failed; its last messages are in " + (folder_ / "screen.txt").string());
 }
 

@@ -95,7 +95,7 @@ void for_each_packing(const PackingChoice& choice, Console console,
 
 Model model_for(const ModelChoice& choice, const Packing& packing) {
   Case c;
-  // LAMMPS and the study use the peculiar velocity, so their step is the one to measure.
+  // LAMMPS and the paper use the peculiar velocity, so their step is the one to measure.
   apply_override(c, "contact.velocity=peculiar");
   apply_override(c, "compaction.time_step=0.02");
   apply_override(c, "compaction.cell_damping=0");

@@ -53,7 +53,7 @@ ExitCode make(double ratio, const PrepareOrder& order, Console console) {
   if (begun) {
     run = order_to_resume(folder, order.set);
   } else {
-    const Case c = parse_case(text, "cases/program/bench/" + benchmark_name(ratio) + ".toml", order.set);
+    const Case c = parse_case(text, "cases/bench/" + benchmark_name(ratio) + ".toml", order.set);
     validate(c);
     run = order_to_run(c);
     run.folder = std::make_unique<RunFolder>(RunFolder::create(folder.string(), {}));

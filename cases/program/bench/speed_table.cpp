@@ -9,7 +9,7 @@ namespace furnas {
 
 Table speed_table(const std::vector<SpeedRow>& rows, const std::vector<double>& bandwidth) {
   Table table({"packing", "N", "mu", "precision", "threads", "Mps", "range", "B/step", "bound", "pairs/N",
-               "near/N", "contacts/N", "rebuilds/steps", "B/N", "error", "worst", "mistaken", "state"});
+               "inner/N", "contacts/N", "rebuilds/steps", "B/N", "error", "largest", "mistaken", "state"});
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const SpeedRow& r = rows[k];
     table.row({r.packing, fmt::format("{}", r.particles), fmt::format("{:g}", r.friction),

@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 
+#include "cases/program/chart_files.h"
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
 #include "engine/base/require.h"
@@ -42,7 +43,7 @@ AnalysisOptions analysis_options(const AnalyzeOptions& options, const PackingSou
 
 AnalysisRecord analyze_source(const AnalyzeOptions& options) {
   PackingSource source = packing_source(options.source, options.frame);
-  validate(source.packing);
+  validate(source.packing, options.source);
   AnalysisRecord record;
   record.source = options.source;
   record.step = source.packing.step;
@@ -59,7 +60,8 @@ AnalysisRecord analyze_source(const AnalyzeOptions& options) {
 }
 
 /// Names of the files that were written.
-std::vector<std::string> write_files(const AnalysisRecord& record, const fs::path& folder, bool pictures) {
+std::vector<std::string> write_files(const AnalysisRecord& record, const fs::path& folder, bool pictures,
+                                     Console console) {
   std::vector<std::string> written;
   for (const AnalysisFile& file : analysis_files()) {
     const std::string content = file.content(record);
@@ -69,10 +71,8 @@ std::vector<std::string> write_files(const AnalysisRecord& record, const fs::pat
   }
   if (!pictures) return written;
   for (const auto& [name, chart] : analysis_charts(record.analysis)) {
-    render_png(chart, folder / (name + ".png"));
-    render_svg(chart, folder / (name + ".svg"));
-    written.push_back(name + ".png");
-    written.push_back(name + ".svg");
+    const std::vector<std::string> files = write_chart(chart, folder, name, console);
+    written.insert(written.end(), files.begin(), files.end());
   }
   return written;
 }
@@ -188,7 +188,7 @@ Command analyze_command() {
     remark_on_older_checkpoint(options->source, console.err);
     const AnalysisRecord record = analyze_source(*options);
     const fs::path folder = folder_about(options->source, options->out);
-    const std::vector<std::string> written = write_files(record, folder, !options->no_pictures);
+    const std::vector<std::string> written = write_files(record, folder, !options->no_pictures, console);
     console.out << summary(record)
                 << fmt::format("files     {}: {}\n", folder.string(), fmt::join(written, " "));
     return ExitCode::done;

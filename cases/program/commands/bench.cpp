@@ -199,11 +199,11 @@ ExitCode error(BenchOptions& o, Console console) {
 }
 
 ExitCode peers(BenchOptions& o, Console console) {
-  const bool passing = o.match.folder.empty();
-  if (passing) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
+  const bool temporary = o.match.folder.empty();
+  if (temporary) o.match.folder = fs::temp_directory_path() / fmt::format("furnas_peers_{}", ::getpid());
   make_folder(o.match.folder);
   const ExitCode code = compare_with_lammps(o.match, console);
-  if (passing) fs::remove_all(o.match.folder);  // after a failure the exception keeps the folder
+  if (temporary) fs::remove_all(o.match.folder);  // after a failure the exception keeps the folder
   return code;
 }
 

@@ -103,7 +103,7 @@ PackingSource told_source(const CertifyOptions& options) {
                      ": it contains no case, so pressure and friction are unknown; allowed: the folder of a "
                      "run, one of its "
                      "checkpoints, or a packing with --pressure and, unless friction is 0, --friction");
-  validate(source.packing);
+  validate(source.packing, options.source);
   Case c;
   c.compaction.pressure = {*options.pressure};
   c.contact.friction = options.friction.value_or(0);

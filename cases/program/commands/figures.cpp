@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 
+#include "cases/program/chart_files.h"
 #include "cases/program/commands/command.h"
 #include "cases/program/figures/report.h"
 #include "cases/program/run/run_folder.h"
@@ -38,9 +39,7 @@ Command figures_command() {
     make_folder(folder);
     for (const Figure& figure : figures) {
       write_file(folder / (figure.name + ".csv"), csv(figure.chart));
-      if (options->no_pictures) continue;
-      render_png(figure.chart, folder / (figure.name + ".png"));
-      render_svg(figure.chart, folder / (figure.name + ".svg"));
+      if (!options->no_pictures) write_chart(figure.chart, folder, figure.name, console);
     }
     write_file(folder / "report.md", report(study, figures));
     for (const std::string& remark : study.remarks) console.err << fmt::format("furnas: {}\n", remark);

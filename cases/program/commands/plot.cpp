@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 
+#include "cases/program/chart_files.h"
 #include "cases/program/commands/command.h"
 #include "cases/program/figures/figures.h"
 #include "cases/program/run/run_folder.h"
@@ -22,18 +23,19 @@ struct PlotOptions {
   std::string out;
 };
 
-/// The extension of a file name determines the format; without an extension all three formats are written.
-std::vector<fs::path> files_of(const std::string& out, const Plot& plot, const fs::path& sweep) {
-  const fs::path base = out.empty() ? sweep / "plots" / plot.name : fs::path(out);
-  const std::string extension = base.extension().string();
-  if (extension == ".csv" || extension == ".svg" || extension == ".png") return {base};
-  return {base.string() + ".csv", base.string() + ".svg", base.string() + ".png"};
-}
-
-void write(const Plot& plot, const fs::path& file) {
-  if (file.extension() == ".csv") write_file(file, csv(plot.chart, plot.x, plot.y));
-  if (file.extension() == ".svg") render_svg(plot.chart, file);
-  if (file.extension() == ".png") render_png(plot.chart, file);
+/// The extension of the file determines the format; without one all three formats are written. Returns the
+/// names of the files that were written, which are beside `file`.
+std::vector<std::string> write(const Plot& plot, const fs::path& file, Console console) {
+  const std::string extension = file.extension().string(), name = file.filename().string();
+  if (extension == ".svg") return render_svg(plot.chart, file), std::vector{name};
+  if (extension == ".png") return render_png(plot.chart, file), std::vector{name};
+  const std::string table = extension == ".csv" ? name : name + ".csv";
+  write_file(file.parent_path() / table, csv(plot.chart, plot.x, plot.y));
+  std::vector<std::string> written{table};
+  if (extension == ".csv") return written;
+  for (std::string& chart : write_chart(plot.chart, file.parent_path(), name, console))
+    written.push_back(std::move(chart));
+  return written;
 }
 
 }  // namespace
@@ -59,11 +61,11 @@ Command plot_command() {
     options->order.sweeps = {options->sweeps.begin(), options->sweeps.end()};
     const Plot plot = plot_of(options->order);
     for (const std::string& remark : plot.remarks) console.err << fmt::format("furnas: {}\n", remark);
-    for (const fs::path& file : files_of(options->out, plot, options->order.sweeps.front())) {
-      if (file.has_parent_path()) make_folder(file.parent_path());
-      write(plot, file);
-      console.out << file.string() << '\n';
-    }
+    const fs::path file = options->out.empty() ? fs::path(options->order.sweeps.front()) / "plots" / plot.name
+                                               : fs::path(options->out);
+    if (file.has_parent_path()) make_folder(file.parent_path());
+    for (const std::string& written : write(plot, file, console))
+      console.out << (file.parent_path() / written).string() << '\n';
     return ExitCode::done;
   };
   return command;

@@ -18,7 +18,6 @@ namespace {
 constexpr std::array curve_markers{Marker::circle, Marker::square, Marker::diamond, Marker::triangle,
                                    Marker::wedge};
 constexpr std::array line_styles{LineStyle::solid, LineStyle::dashed, LineStyle::dotted};
-constexpr const char* fraction_key = "mixture.small_fraction";
 
 /// The settings that equal spheres must share with a mixture, so that the model of the mixture can use their
 /// phi.
@@ -40,8 +39,8 @@ class CurvesChart {
       chart_.series.push_back(open_symbol());
       remarks_.push_back(
           fmt::format("{} of {} points, drawn with open symbols, are of cells thinner than {} largest "
-                      "diameters, which do "
-                      "not stand for large packings; more large spheres (mixture.large) make them thicker",
+                      "diameters, which do not represent large packings; more large spheres (mixture.large) "
+                      "make them thicker",
                       thin_, points_, least_thickness));
     }
     if (chart_.series.size() == 1) chart_.series.front().name.clear();

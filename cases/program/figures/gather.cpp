@@ -20,9 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using Settings = std::map<std::string, std::string, std::less<>>;
 
-const std::vector<std::string> keys_of_the_paper{"mixture.size_ratio", "mixture.small_fraction",
-                                                 "contact.friction"};
-
 /// A number in a unique spelling, so that equal numbers are equal texts.
 std::string spelt(const std::string& value) {
   const std::optional<double> number = number_in<double>(value);
@@ -53,7 +50,7 @@ bool of_two_sizes(const Case& c) { return c.start.file.empty() && c.mixture.diam
 
 /// Removes the keys that have no meaning for spheres from a file.
 void forget_sizes(Settings& settings) {
-  for (const char* key : {"mixture.size_ratio", "mixture.small_fraction"}) settings.erase(key);
+  for (const char* key : {"mixture.size_ratio", fraction_key}) settings.erase(key);
 }
 
 /// All that is known of one sample.
@@ -88,7 +85,7 @@ std::vector<std::string> keys_of(const std::vector<Known>& samples, const std::s
   std::map<std::string, std::set<std::string>> values;
   for (const Known& sample : samples)
     for (const auto& [key, value] : sample.settings) values[key].insert(value);
-  std::vector<std::string> keys = keys_of_the_paper;
+  std::vector<std::string> keys = keys_of_the_paper();
   for (const Key& key : case_keys()) {
     const std::string path = key.path();
     if (std::find(keys.begin(), keys.end(), path) != keys.end()) continue;
@@ -152,9 +149,10 @@ Gathered gather(const std::vector<fs::path>& folders) {
   }
   if (folders.size() > 1)
     for (const std::string& folder : without_case)
-      all.remarks.push_back(fmt::format(
-          "{} has no {}: it is assumed that its samples were made with the same settings as the others",
-          folder, base_case_name));
+      all.remarks.push_back(
+          fmt::format("{} has no {} that can be read: it is assumed that its samples were made with the same "
+                      "settings as the others",
+                      folder, base_case_name));
   return all;
 }
 

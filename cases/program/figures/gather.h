@@ -19,7 +19,7 @@ struct VaryingKey {
 
 /// The samples of several sweeps in one table, whose keys include all that bear on phi_J and differ.
 struct Gathered {
-  /// Its keys are size_ratio, small_fraction, friction, those of the sweeps, and those in which the cases of
+  /// Its keys are those of the paper, those of the sweeps, and those in which the cases of
   /// the sweeps differ. Equal numbers have equal spellings; an empty value is not known.
   SampleTable table;
   std::vector<std::filesystem::path> runs;    ///< the folder of each row's run, which need not exist

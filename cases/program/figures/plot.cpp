@@ -17,8 +17,6 @@
 namespace furnas {
 namespace {
 
-std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
-
 /// Finds a key by its full name, its name without the table, or its symbol.
 std::string key_named(const std::string& name, const Gathered& all, const char* option) {
   for (const std::string& key : all.table.keys)
@@ -68,8 +66,7 @@ std::string obvious_x(const std::vector<VaryingKey>& varying) {
   for (const VaryingKey& v : varying)
     if (v.key != number_of_large && v.key != "mixture.size_ratio" && number_in<double>(v.values.front()))
       numbers.push_back(v.key);
-  if (std::find(numbers.begin(), numbers.end(), "mixture.small_fraction") != numbers.end())
-    return "mixture.small_fraction";
+  if (std::find(numbers.begin(), numbers.end(), fraction_key) != numbers.end()) return fraction_key;
   if (numbers.size() == 1) return numbers.front();
   std::vector<std::string> all;
   for (const VaryingKey& v : varying) all.push_back(v.key);

@@ -89,7 +89,7 @@ struct KnownKey {
 
 constexpr KnownKey known_keys[] = {
     {"mixture.size_ratio", "alpha", "α", ""},
-    {"mixture.small_fraction", "f_s", "f_s", ""},
+    {fraction_key, "f_s", "f_s", ""},
     {"contact.friction", "mu", "μ", ""},
     {"mixture.large", "N_l", "N_l", ""},
     {"compaction.pressure", "p_a", "p_a", "k_n/d_s"},
@@ -119,7 +119,7 @@ std::string key_of_symbol(const std::string& symbol) {
 std::string symbol_of_key(const std::string& key) {
   for (const KnownKey& known : known_keys)
     if (known.key == key) return std::string(known.symbol);
-  return spaced(key.substr(key.find('.') + 1));
+  return spaced(name_in(key));
 }
 
 std::string title_of_key(const std::string& key) {

@@ -82,7 +82,7 @@ std::string points_table(const Study& study) {
 }  // namespace
 
 std::string report(const Study& study, const std::vector<Figure>& figures) {
-  std::string text = R"(# The study beside the paper
+  std::string text = R"(# The sweeps beside the paper
 
 Srivastava, Roberts, Clemmer, Silbert, Lechman, Grest, *Jamming of bidisperse frictional spheres* (arXiv 2105.00977).
 Written by `furnas figures`. Means are over jammed samples and, where a table counts some, settled samples. phi of a settled sample has a bound on its
@@ -94,7 +94,8 @@ is taken to scatter as N_l^(-1/2). The tables of maxima and samples have Student
 *Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
 )";
   text += fmt::format(
-      "A cell thinner than {} largest diameters does not stand for a large packing: its points are drawn "
+      "A cell thinner than {} largest diameters is too thin to represent a large packing: its points are "
+      "drawn "
       "with open symbols and are not used for any statement.\n\n",
       least_thickness);
   for (const std::string& remark : study.remarks) text += remark + ".\n\n";

@@ -55,8 +55,9 @@ Statement begin(std::string what, std::string paper, std::string rule) {
 }
 
 Statement mono(const Study& study, const Reach& reach, double mu, double paper, double tolerance) {
-  Statement s = begin(fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
-                      fmt::format("off by at most {} (1000 spheres) and half of the interval", tolerance));
+  Statement s = begin(
+      fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
+      fmt::format("differs by at most {} (1000 spheres) plus the half width of the interval", tolerance));
   if (const Point* point = study.mono_at(mu)) compare(s, *point, reach, paper, tolerance);
   return s;
 }
@@ -64,7 +65,7 @@ Statement mono(const Study& study, const Reach& reach, double mu, double paper, 
 Statement point(const Study& study, const Reach& reach, double alpha, double mu, double f, double paper) {
   constexpr double tolerance = 0.01, near = 0.0051;
   Statement s = begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f), fmt::format("{}", paper),
-                      fmt::format("off by at most {} and half of the interval", tolerance));
+                      fmt::format("differs by at most {} plus the half width of the interval", tolerance));
   const Curve* curve = study.curve(alpha, mu);
   if (curve == nullptr) return s;
   const auto off = [f](const Point& p) { return std::abs(p.small_fraction - f); };
@@ -108,9 +109,9 @@ void append(std::string& text, const std::string& more) { text += (text.empty() 
 
 Statement near_model(const Study& study, const Reach& reach) {
   constexpr double alpha = 20, share = 0.02;
-  Statement s =
-      begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
-            "each friction of the sweeps off by at most 2 % and half of the interval, at α = 20 or more");
+  Statement s = begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
+                      "each friction of the sweeps differs by at most 2 % plus the half width of the "
+                      "interval, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
@@ -221,7 +222,7 @@ struct Shares {
 };
 
 /// The share of rattlers among the small spheres of one size ratio, below and above f_max, with the
-/// thresholds of the study.
+/// thresholds of the paper.
 struct Sides {
   Shares below, above;
   std::string text;

@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
-
 std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
@@ -45,7 +43,8 @@ bool separates(const Gathered& all, const std::string& key) {
     const auto exponents = values_of(all, key, true);
     return exponents.size() > exponents.count(solid);  // any but solid spheres, with friction
   }
-  return key != number_of_large && std::find(keys.begin(), keys.end(), key) == keys.end();
+  const std::vector<std::string>& free = keys_of_the_paper();
+  return key != number_of_large && std::find(free.begin(), free.end(), key) == free.end();
 }
 
 /// Refuses samples that differ in keys that the paper does not vary, because their means would mix
@@ -71,7 +70,8 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
   throw InputError(fmt::format(
       "samples in {} differ in {}: their means would mix experiments; allowed: samples that differ in {} and "
       "{} alone. To see the difference: furnas plot {} --by {}",
-      fmt::join(names, ", "), others, fmt::join(keys, ", "), number_of_large, fmt::join(names, " "), first));
+      fmt::join(names, ", "), others, fmt::join(keys_of_the_paper(), ", "), number_of_large,
+      fmt::join(names, " "), first));
 }
 
 /// Which samples without friction have other masses than solid spheres.
@@ -102,10 +102,10 @@ fs::path history_in(const Gathered& all) {
 
 /// A sorted table with the keys of the paper. At each point it has the rows with the most large spheres.
 SampleTable largest_of(const Gathered& gathered, std::vector<std::string>& remarks) {
-  SampleTable all{keys, gathered.table.rows};
+  SampleTable all{keys_of_the_paper(), gathered.table.rows};
   std::map<std::tuple<double, double, double>, std::int64_t> most;
   for (SampleRow& row : all.rows) {
-    row.values.resize(keys.size());  // keeps the keys of the paper, which are the first
+    row.values.resize(all.keys.size());  // keeps the keys of the paper, which are the first
     auto& large = most[place_of(row)];
     large = std::max(large, row.large);
   }
@@ -127,12 +127,11 @@ Study study_of(const std::vector<fs::path>& folders) {
   const Gathered gathered = gather(folders);
   refuse_other_keys(gathered, folders);
   Study study;
-  study.folders = folders;
   study.remarks = gathered.remarks;
   for (std::string& remark : remarks_on_masses(gathered)) study.remarks.push_back(std::move(remark));
   study.history = history_in(gathered);
   study.points = points_of(largest_of(gathered, study.remarks));
-  for (const Curve& curve : curves_of(study.points, keys))
+  for (const Curve& curve : curves_of(study.points, keys_of_the_paper()))
     if (curve.size_ratio() == 1)
       study.mono.push_back(curve.points.front());
     else

@@ -17,13 +17,12 @@ struct Study {
   std::vector<Point> points;      ///< all points, for any verdicts
   std::filesystem::path history;  ///< of a jammed sample of the largest size ratio and friction; empty if no
                                   ///< folder has one
-  std::vector<std::string> remarks;            ///< remarks for the reader, in sentences
-  std::vector<std::filesystem::path> folders;  ///< of the sweeps
+  std::vector<std::string> remarks;  ///< remarks for the reader, in sentences
 
   /// phi_mono(mu) and the model that follows from it; empty without samples of equal spheres.
   std::optional<FurnasInterval> model(double friction) const;
-  /// The study without the points, of equal spheres and of curves, whose cells are too thin to stand for
-  /// large packings.
+  /// The study without the points, of equal spheres and of curves, whose cells are too thin to
+  /// represent large packings.
   Study without_thin_cells() const;
   const Point* mono_at(double friction) const;                   ///< nullptr if there is none
   const Curve* curve(double size_ratio, double friction) const;  ///< nullptr if there is none

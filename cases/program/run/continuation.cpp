@@ -25,6 +25,7 @@ constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds
 constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
 constexpr const char* counts_key = "counts: replaced lists_built wall_seconds ended";
 constexpr const char* cpu_key = "cpu seconds";
+constexpr const char* unit_key = "unit of the list of diameters";
 constexpr std::string_view event_key = "event: ";
 
 std::string rows_of(const std::vector<RestingState>& reached) {
@@ -94,6 +95,7 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
                              c.watch.kinetic_energy)},
       {counts_key, fmt::format("{} {} {} {}", c.replaced, c.lists_built, c.wall_seconds, place_of(c.ended))},
       {cpu_key, fmt::format("{}", c.cpu_seconds)}};
+  if (c.listed_unit) extras[unit_key] = fmt::format("{}", *c.listed_unit);
   for (const auto& [name, saved] : c.events) extras[std::string(event_key) + name] = saved;
   return extras;
 }
@@ -134,6 +136,8 @@ Continuation continuation_of(const Checkpoint& checkpoint) {
     require_saved(Numbers(text_under(checkpoint, cpu_key)).take_all(c.cpu_seconds), cpu_key);
   else
     c.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
+  if (checkpoint.extras.contains(unit_key))
+    require_saved(Numbers(text_under(checkpoint, unit_key)).take_all(c.listed_unit.emplace()), unit_key);
   for (const auto& [key, saved] : checkpoint.extras)
     if (key.starts_with(event_key)) c.events[key.substr(event_key.size())] = saved;
   return c;

@@ -15,9 +15,10 @@ namespace furnas {
 
 /// The data, besides packing and case, with which another process continues a stopped run.
 struct Continuation : RunState {
-  double wall_seconds{};         ///< of all its processes
-  double cpu_seconds{};          ///< of the threads of all its processes; NaN if one did not record it
-  std::optional<Verdict> ended;  ///< jammed or settled: only the result is left to write
+  double wall_seconds{};              ///< of all its processes
+  double cpu_seconds{};               ///< of the threads of all its processes; NaN if one did not record it
+  std::optional<double> listed_unit;  ///< 1 d_s in the unit of mixture.diameters; empty without a list
+  std::optional<Verdict> ended;       ///< jammed or settled: only the result is left to write
 };
 
 /// The continuation in the form of a checkpoint, with the version of the program that writes it.

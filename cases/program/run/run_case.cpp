@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 #include <numeric>
 #include <ostream>
 
@@ -19,6 +20,7 @@
 #include "engine/state/species.h"
 #include "engine/state/validate.h"
 #include "io/atomic_file.h"
+#include "io/case_check.h"
 #include "io/case_file.h"
 #include "io/case_protocol.h"
 #include "io/diameters_file.h"
@@ -146,7 +148,7 @@ double Run::cpu_seconds() const {
 
 CheckpointView Run::whole() {
   return {run_->now().packing(), case_text_,
-          to_extras({run_->state(), wall_seconds(), cpu_seconds(), ended_})};
+          to_extras({run_->state(), wall_seconds(), cpu_seconds(), order_.past.listed_unit, ended_})};
 }
 
 Result Run::result_of(const Outcome& outcome) {
@@ -170,8 +172,7 @@ Result Run::result_of(const Outcome& outcome) {
   result.sizes = sizes_of(radii);
   result.mean_diameter =
       2 * std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
-  if (!case_.mixture.diameters.empty() && std::filesystem::exists(case_.mixture.diameters))
-    result.listed_unit = read_diameters(case_.mixture.diameters).unit;
+  result.listed_unit = order_.past.listed_unit;
   const Model& model = run_->simulation().model();
   result.time_step = model.time_step;
   result.pressure = model.barostat.pressure;
@@ -220,7 +221,8 @@ RunOrder order_to_run(const Case& c) {
   RunOrder order;
   order.resolved_case = c;
   order.start = start_of(c);
-  validate(order.start);
+  validate(order.start, c.start.file);
+  if (!c.mixture.diameters.empty()) order.past.listed_unit = read_diameters(c.mixture.diameters).unit;
   return order;
 }
 
@@ -236,7 +238,11 @@ RunOrder order_to_resume(const std::filesystem::path& folder, std::span<const st
     order.past.ended.reset();
   order.start = std::move(found.checkpoint.packing);
   std::int64_t& steps = order.resolved_case.stop.steps;
-  if (more) steps = order.start.step + *more;
+  if (more) {
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    steps = *more > most - order.start.step ? most : order.start.step + *more;
+    validate(order.resolved_case);
+  }
   if (steps < order.start.step)
     throw InputError(fmt::format(
         "stop.steps = {}, but {} steps are done; allowed: at least {}, or --more N for N steps more", steps,

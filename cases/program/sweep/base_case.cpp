@@ -5,6 +5,7 @@
 
 #include "engine/base/require.h"
 #include "io/case_file.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -34,7 +35,7 @@ std::optional<Case> read_base_case(const fs::path& folder) {
   if (!fs::exists(file)) file = case_of_a_sample(folder);
   if (file.empty()) return {};
   try {
-    return read_case(file);
+    return parse_case(read_file(file), file.string());  // a start.file may be gone by now
   } catch (const InputError&) {
     return {};
   }

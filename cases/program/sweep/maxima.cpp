@@ -26,7 +26,7 @@ const MaximumColumn maximum_column_table[] = {
     {{"phi_max", "", "mean of the samples", "phi_J of the highest point"},
      [](const Curve&, const CurveMaximum& m) { return fmt::format("{:.5f}", m.phi_max.mean); }},
     {{"phi_max_half_width", "", "mean of the samples",
-      "half of its 95 % interval; empty for a single sample"},
+      "half of its 95 % interval, plus the mean of the bounds of settled samples; empty for a single sample"},
      [](const Curve&, const CurveMaximum& m) {
        return m.phi_max.samples > 1 ? fmt::format("{:.5f}", m.phi_max.half_width) : "";
      }},
@@ -42,7 +42,7 @@ std::string maxima_csv(const std::vector<Curve>& curves, const std::vector<std::
   std::vector<std::string> names;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k] != "mixture.small_fraction") {
+    if (keys[k] != fraction_key) {
       names.push_back(keys[k]);
       places.push_back(k);
     }

@@ -33,8 +33,6 @@ double particles_of(const Case& c) {
   return static_cast<double>(c.mixture.large) + small_count(mixture_of(c));
 }
 
-std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
-
 /// A value in the form for names of folders and for tables. For a start.file it is the file's name with that
 /// of its folder.
 std::string value_in(const Case& c, const std::string& key) {
@@ -91,8 +89,15 @@ void validate_point(const Case& c, const SweepGrid& grid) {
 
 }  // namespace
 
+const std::vector<std::string>& keys_of_the_paper() {
+  static const std::vector<std::string> keys{"mixture.size_ratio", fraction_key, "contact.friction"};
+  return keys;
+}
+
+std::string name_in(const std::string& key) { return key.substr(key.find('.') + 1); }
+
 std::vector<std::string> keys_of(const SweepFile& sweep) {
-  std::vector<std::string> keys{"mixture.size_ratio", "mixture.small_fraction", "contact.friction"};
+  std::vector<std::string> keys = keys_of_the_paper();
   const auto reads = [](const SweepGrid& grid) {
     return std::any_of(grid.axes.begin(), grid.axes.end(),
                        [](const SweepAxis& axis) { return axis.key == start_key; });

@@ -9,6 +9,16 @@
 
 namespace furnas {
 
+/// The key of f_s, along which a curve goes.
+inline constexpr const char* fraction_key = "mixture.small_fraction";
+
+/// The keys in which the samples of the paper differ: mixture.size_ratio, mixture.small_fraction,
+/// contact.friction.
+const std::vector<std::string>& keys_of_the_paper();
+
+/// A key without the name of its table: "friction".
+std::string name_in(const std::string& key);
+
 /// State of a sample.
 enum class SampleState {
   missing,      ///< it has no files
@@ -31,8 +41,7 @@ struct Sample {
   std::filesystem::path log() const { return folder.string() + ".log"; }
 };
 
-/// The keys that differ between points of a sweep: size_ratio, small_fraction, friction, and further keys
-/// with several values.
+/// The keys that differ between points of a sweep: those of the paper, and further keys with several values.
 std::vector<std::string> keys_of(const SweepFile& sweep);
 
 /// The folder of a run in that of its sweep: samples/<keys and values>/<seed>.

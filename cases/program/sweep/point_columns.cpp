@@ -74,9 +74,8 @@ const PointColumn point_column_table[] = {
      [](const Point& p) -> Mean { return p.small_rattlers[2]; },
      "share of rattlers among the small spheres"},
     {{"thickness", "", "least of the samples",
-      "least distance between opposite faces of a cell, in diameters of the largest sphere; below 2.5 the "
-      "point "
-      "does not stand for a large packing; empty if not known"},
+      "least distance between opposite faces of a cell, in diameters of the largest sphere; below 2.5 "
+      "the cell is too thin to represent a large packing; empty if not known"},
      [](const Point& p) { return std::isfinite(p.thickness) ? fmt::format("{:.3g}", p.thickness) : ""; }},
     {{"finite_size", "", "sample",
       "phi_J of a large packing minus this phi_J, as far as the number of spheres alone causes the "

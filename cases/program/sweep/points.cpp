@@ -21,14 +21,8 @@ Point begin_point(const SampleRow& row) {
   return point;
 }
 
-void count_verdict(Point& point, const SampleRow& row) {
-  ++point.samples;
-  ++(row.jammed()                ? point.jammed
-     : row.settled()             ? point.settled
-     : row.verdict == "budget"   ? point.budget
-     : row.verdict == "diverged" ? point.diverged
-     : row.verdict == "failed"   ? point.failed
-                                 : point.unfinished);
+void count(Point& point, const SampleRow& row) {
+  point.count(row);
   point.large = std::max(point.large, row.large);
   point.small = std::max(point.small, row.small);
 }
@@ -94,7 +88,7 @@ std::vector<Point> points_of(const SampleTable& table) {
       points.push_back(begin_point(row));
       ended.emplace_back();
     }
-    count_verdict(points[found->second], row);
+    count(points[found->second], row);
     if (row.jammed() || row.settled()) ended[found->second].push_back(&row);
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -111,7 +105,7 @@ std::vector<Curve> curves_of(const std::vector<Point>& points, const std::vector
     if (!point.mean_phi_J) continue;
     std::vector<std::string> others;
     for (std::size_t k = 0; k < keys.size(); ++k)
-      if (keys[k] != "mixture.small_fraction") others.push_back(point.values[k]);
+      if (keys[k] != fraction_key) others.push_back(point.values[k]);
     const auto [found, fresh] = place.emplace(others, curves.size());
     if (fresh) curves.emplace_back();
     curves[found->second].points.push_back(point);

@@ -17,14 +17,12 @@ namespace furnas {
 /// The samples with the same values of the keys, taken together. Means are over the jammed and the settled
 /// samples. A settled sample's phi is used as its phi_J; the mean of the bounds of settled samples widens the
 /// interval of phi_J.
-struct Point {
-  std::vector<std::string> values;  ///< of the keys
-  double size_ratio = 1;            ///< alpha
-  double small_fraction{};          ///< f_s
-  double friction{};                ///< mu
-  std::int64_t large{}, small{};    ///< particles of each species in a sample
-  std::size_t samples{};
-  std::size_t jammed{}, settled{}, budget{}, diverged{}, failed{}, unfinished{};  ///< samples of each verdict
+struct Point : VerdictCounts {
+  std::vector<std::string> values;                          ///< of the keys
+  double size_ratio = 1;                                    ///< alpha
+  double small_fraction{};                                  ///< f_s
+  double friction{};                                        ///< mu
+  std::int64_t large{}, small{};                            ///< particles of each species in a sample
   std::vector<double> phi_J;                                ///< of the jammed and settled samples
   std::optional<MeanInterval> mean_phi_J, mean_Z_backbone;  ///< none without such a sample
   std::array<std::optional<MeanInterval>, 3> large_rattlers, small_rattlers;  ///< shares, with z_min 2, 3, 4
@@ -40,7 +38,7 @@ struct Point {
   double pressure = std::numeric_limits<double>::quiet_NaN();  ///< p_a [k_n/d_s]; NaN if not known
   std::string preset;                                          ///< of the case; empty if not known
 
-  /// Whether one of its cells is so thin that it does not stand for a large packing (io/result.h).
+  /// Whether one of its cells is so thin that it is too thin to represent a large packing (io/result.h).
   bool too_thin() const { return thickness_at_most < least_thickness; }
 };
 

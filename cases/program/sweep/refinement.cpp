@@ -27,7 +27,7 @@ double new_fraction(double wanted, const std::vector<double>& known) {
 
 bool same_but_fraction(const Sample& sample, const Point& point, const std::vector<std::string>& keys) {
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k] != "mixture.small_fraction" && sample.values[k] != point.values[k]) return false;
+    if (keys[k] != fraction_key && sample.values[k] != point.values[k]) return false;
   return true;
 }
 

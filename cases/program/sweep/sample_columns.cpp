@@ -75,7 +75,7 @@ const SampleColumn sample_column_table[] = {
      [](SampleRow& r) -> Value { return &r.phi_bound; }},
     {{"thickness", "", "sample",
       "least distance between opposite faces of the cell, in diameters of the largest sphere; below 2.5 the "
-      "cell does not stand for a large packing; empty in tables of older versions"},
+      "cell is too thin to represent a large packing; empty in tables of older versions"},
      "thickness of the cell in largest diameters",
      [](SampleRow& r) -> Value { return &r.thickness; }},
     {{"pressure", "k_n/d_s", "sample", "of the bath, p_a, the last of compaction.pressure"},

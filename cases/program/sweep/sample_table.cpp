@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = SampleRow::unknown;
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : unknown; }
 
@@ -45,7 +45,6 @@ SampleRow row_of_case(const Sample& sample) {
   row.small_fraction = c.mixture.small_fraction;
   row.friction = c.contact.friction;
   row.seed = c.mixture.seed;
-  row.phi_J = row.phi = row.phi_bound = row.Z = row.Z_backbone = row.backbone = unknown;
   row.pressure = c.compaction.pressure.back();
   row.preset = c.preset;
   return row;
@@ -139,7 +138,7 @@ SampleRow row_in(const std::vector<std::string>& cells, const SampleTable& table
   const auto keys = static_cast<std::ptrdiff_t>(table.keys.size());
   row.values.assign(cells.begin(), cells.begin() + keys);
   row.size_ratio = value_of(table, row, "mixture.size_ratio", 1, place);
-  row.small_fraction = value_of(table, row, "mixture.small_fraction", 0, place);
+  row.small_fraction = value_of(table, row, fraction_key, 0, place);
   row.friction = value_of(table, row, "contact.friction", 0, place);
   for (std::size_t k = table.keys.size(); k < cells.size(); ++k)
     take_cell(sample_columns()[k - table.keys.size()], cells[k], row, place);
@@ -160,6 +159,16 @@ std::size_t take_columns(std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+void VerdictCounts::count(const SampleRow& row) {
+  ++samples;
+  ++(row.jammed()                ? jammed
+     : row.settled()             ? settled
+     : row.verdict == "budget"   ? budget
+     : row.verdict == "diverged" ? diverged
+     : row.verdict == "failed"   ? failed
+                                 : unfinished);
+}
 
 SampleTable table_of(const std::vector<Sample>& samples, const std::vector<std::string>& keys) {
   SampleTable table{keys, {}};

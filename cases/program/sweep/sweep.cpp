@@ -49,31 +49,26 @@ ExitCode code_of(const SampleTable& table) {
 /// sample.
 class Line {
  public:
-  explicit Line(std::ostream& out) : out_(out), live_(isatty(STDERR_FILENO) == 1) {}
+  explicit Line(std::ostream& out) : lines_(out, isatty(STDERR_FILENO) == 1) {}
 
   void show(const SweepStanding& s) {
     const auto since = Clock::now() - shown_;
-    const auto pause = live_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10);
+    const auto pause = lines_.live() ? std::chrono::milliseconds(500) : std::chrono::seconds(10);
     if (s.done == done_ && since < pause) return;
     shown_ = Clock::now();
     done_ = s.done;
-    out_ << fmt::format("{}{} of {} samples done{}  {} running{}  {} to come  about {} left{}{}",
-                        live_ ? "\r" : "", s.done, s.done + s.running + s.elsewhere + s.left,
-                        s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running,
-                        s.elsewhere > 0 ? fmt::format("  {} elsewhere", s.elsewhere) : "", s.left,
-                        duration_text(s.seconds_left),
-                        s.late > 0 ? fmt::format(", but for {} longer than estimated", s.late) : "",
-                        live_ ? "\033[K" : "\n")
-         << std::flush;
+    lines_.show({fmt::format("{} of {} samples done{}  {} running{}  {} to come  about {} left{}", s.done,
+                             s.done + s.running + s.elsewhere + s.left,
+                             s.failed > 0 ? fmt::format(" ({} without phi_J)", s.failed) : "", s.running,
+                             s.elsewhere > 0 ? fmt::format("  {} elsewhere", s.elsewhere) : "", s.left,
+                             duration_text(s.seconds_left),
+                             s.late > 0 ? fmt::format(", but for {} longer than estimated", s.late) : "")});
   }
 
-  void finish() {
-    if (live_) out_ << "\r\033[K" << std::flush;
-  }
+  void finish() { lines_.clear(); }
 
  private:
-  std::ostream& out_;
-  bool live_;
+  LiveLines lines_;
   Clock::time_point shown_{};
   std::optional<std::size_t> done_;
 };

@@ -11,7 +11,7 @@ namespace furnas {
 /// packing in a file.
 double dense_thickness(const Case& c);
 
-/// A line for the user about the points of a sweep whose cells are too thin to stand for a large packing,
+/// A line for the user about the points of a sweep whose cells are too thin to represent a large packing,
 /// with a sufficient number of spheres; empty if there are no such points.
 std::string remark_on_thin_cells(const std::vector<Sample>& samples);
 

@@ -21,6 +21,7 @@
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "io/atomic_file.h"
+#include "io/text_reader.h"
 
 namespace furnas {
 namespace {
@@ -46,10 +47,7 @@ void copy_file_whole(const fs::path& from, const fs::path& to) {
   std::ifstream file(from, std::ios::binary);
   if (!file) return;  // removed meanwhile, as a resumed run does with later frames
   AtomicFile copy(to);
-  std::vector<char> bytes(std::size_t{1} << 20);
-  while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
-    copy.write({bytes.data(), static_cast<std::size_t>(file.gcount())});
-  if (file.bad()) throw InputError(from.string() + " cannot be read to its end");
+  read_in_parts(file, from, [&](std::string_view part) { copy.write(part); });
   copy.commit();
 }
 

@@ -8,7 +8,7 @@
 
 int main() {
   const furnas::Packing gas = furnas::dilute_start({.size_ratio = 1, .large = 1000, .seed = 1});
-  furnas::Protocol protocol;  // pressure and contact damping of the study
+  furnas::Protocol protocol;  // pressure and contact damping of the paper
   protocol.contact.friction = 0.3;
   const furnas::Jam jam = furnas::jam(gas, protocol);
   std::cout << "verdict " << to_string(jam.verdict) << '\n';

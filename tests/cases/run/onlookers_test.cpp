@@ -60,6 +60,7 @@ TEST(Onlookers, TakeTheirTurnsAmongTheEventsOfTheProtocol) {
 
 TEST(ExitCodes, TellTheVerdict) {
   EXPECT_EQ(exit_code_of(Verdict::jammed), ExitCode::done);
+  EXPECT_EQ(exit_code_of(Verdict::settled), ExitCode::done);
   EXPECT_EQ(exit_code_of(Verdict::budget), ExitCode::budget_spent);
   EXPECT_EQ(exit_code_of(Verdict::diverged), ExitCode::numerical_failure);
   EXPECT_EQ(exit_code_of(Verdict::interrupted), ExitCode::interrupted);

@@ -47,7 +47,7 @@ TEST(Run, SaysThatAFewLargeSpheresAreTooFew) {
   const Runs runs;
   const Answer answer = runs.run("a", {"mixture.size_ratio=4", "mixture.small_fraction=0.5",
                                        "mixture.large=2", "stop.steps=10", "mixture.start_fraction=0.2"});
-  EXPECT_THAT(answer.out, HasSubstr("diameters thick: too thin to stand for a large packing\n"));
+  EXPECT_THAT(answer.out, HasSubstr("diameters thick: too thin to represent a large packing\n"));
   EXPECT_LT(runs.result("a")["thickness_in_largest_diameters"], 2.5);
 }
 
@@ -61,6 +61,9 @@ TEST(Run, KeepsTheUnitOfAListOfDiameters) {
   const Answer answer = runs.run("a", {"mixture.diameters=" + runs.path("list.txt"), "stop.steps=10"});
   EXPECT_EQ(runs.result("a")["diameters"]["listed_unit"], 250);
   EXPECT_THAT(content(runs.path("a/log.txt")), HasSubstr("units     1 d_s is 250, the smallest diameter in"));
+  write_file(runs.path("list.txt"), "no diameter");  // the run has the list's spheres and needs it no longer
+  ASSERT_EQ(runs.resume("a", {"--more", "5"}).code, ExitCode::budget_spent);
+  EXPECT_EQ(runs.result("a")["diameters"]["listed_unit"], 250);
   ASSERT_EQ(runs.run("b", {"stop.steps=10"}).code, ExitCode::budget_spent);
   EXPECT_TRUE(runs.result("b")["diameters"]["listed_unit"].is_null());
 }
@@ -188,7 +191,6 @@ TEST(Run, TakesFramesAtEqualStepsOfPhi) {
 /// A case that cannot be used leaves nothing behind, whatever is wrong with it.
 TEST(Run, CreatesNothingForABadCase) {
   const Runs runs;
-  write_file(runs.path("twice.data"), content(test_data("a3.data")));
   const std::size_t files = runs.files();
   struct Bad {
     std::vector<std::string> set, options;
@@ -233,7 +235,7 @@ TEST(Run, CreatesNothingForABadStart) {
   write_file(runs.path("broken.data"), "a title\n\nnonsense\n");
   const std::size_t files = runs.files();
   for (const auto& [file, says] : std::vector<std::pair<std::string, std::string>>{
-           {"twice.data", "particle 6 and particle 10 have the same centre"},
+           {"twice.data", "twice.data: particle 6 and particle 10 have the same centre"},
            {"broken.data", "broken.data"},
            {"none.data", "none.data"}}) {
     const Answer answer = runs.run("bad", {"start.file=" + runs.path(file)});
@@ -271,7 +273,7 @@ std::string end_of_case(const std::string& name, std::vector<std::string> set, E
 TEST(Release, ItsVersionStandsForItsBits) {
   if (const std::string differs = test::difference_from_release_machine(); !differs.empty())
     GTEST_SKIP() << differs;
-  EXPECT_EQ(end_of_case("smoke", {}, ExitCode::done), "0.3.4 5e739192450e5b01");
+  EXPECT_EQ(end_of_case("smoke", {}, ExitCode::done), "0.3.5 5e739192450e5b01");
 }
 
 // The hashes are those of a build of version 0.2.0, of its default case and of its cases/paper.toml with few
@@ -283,12 +285,12 @@ TEST(Release, KeysGiveTheBitsOfEarlierOnes) {
                         {"contact.velocity=peculiar", "compaction.time_step=0.02", "compaction.drag=0",
                          "stop.stilling_energy=100", "stop.growth=1e30"},
                         ExitCode::done),
-            "0.3.4 2dac9b8be0de00ec");
+            "0.3.5 2dac9b8be0de00ec");
   EXPECT_EQ(end_of_case("paper",
                         {"compaction.drag=0", "mixture.size_ratio=5", "mixture.large=20",
                          "mixture.start_fraction=0.3", "stop.steps=3000"},
                         ExitCode::budget_spent),
-            "0.3.4 11cfa5534b15c78e");
+            "0.3.5 11cfa5534b15c78e");
 }
 
 }  // namespace

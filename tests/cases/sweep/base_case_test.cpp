@@ -33,6 +33,15 @@ TEST(BaseCase, IsReadAsItWasWritten) {
   EXPECT_EQ(read->mixture.size_ratio, 3);
 }
 
+/// The sweep may be read on another machine than the one that it ran on.
+TEST(BaseCase, IsReadWithoutTheFilesThatItNames) {
+  const TemporaryFolder folder;
+  write_file(folder / base_case_name, "[start]\nfile = \"gone.vtp\"\n[contact]\nfriction = 0.2\n");
+  const auto read = read_base_case(folder / "");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->contact.friction, 0.2);
+}
+
 TEST(BaseCase, KnowsWhatBearsOnPhi) {
   for (const char* key : {"compaction.pressure", "stop.criterion", "contact.law", "contact.friction",
                           "mixture.start_fraction", "compaction.cell_damping"})

@@ -68,7 +68,7 @@ std::vector<CollisionError> collision_errors(Effort effort) {
           model.precision = precision;
           CollisionError error = error_of(kind, model);
           error.law = legacy ? HookeHistory::name : HookeSynchronized::name;
-          error.precision = precision == Precision::full ? "double" : "mixed";
+          error.precision = name_of(precision);
           error.steps = steps;
           errors.push_back(error);
         }

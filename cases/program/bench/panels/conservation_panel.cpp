@@ -12,8 +12,6 @@
 namespace furnas {
 namespace {
 
-const char* name_of(Precision precision) { return precision == Precision::full ? "double" : "mixed"; }
-
 /// A gas of two sizes under a hundred times the usual pressure of the bath.
 struct SqueezedGas {
   Packing start;
@@ -112,18 +110,13 @@ PanelResult panel_of(const std::vector<ConservationError>& errors) {
     table.row({e.quantity, e.law, e.precision, panel_cell(e.step), panel_cell(e.error)});
     const bool legacy = e.law == HookeHistory::name;
     if (legacy && (e.precision == "mixed" || e.quantity == "momentum")) continue;
-    const std::string name = e.quantity + ", " + (legacy ? "hooke history" : e.precision);
-    auto s = std::find_if(chart.series.begin(), chart.series.end(),
-                          [&](const Series& o) { return o.name == name; });
-    if (s == chart.series.end()) {
-      Series fresh{name};
-      fresh.colour = series_colours[e.quantity == "momentum" ? 1 : e.quantity == "enthalpy" ? 2 : 0];
-      fresh.line = legacy ? LineStyle::dotted : e.precision == "mixed" ? LineStyle::dashed : LineStyle::solid;
-      fresh.marker = legacy ? Marker::square : e.precision == "mixed" ? Marker::diamond : Marker::circle;
-      s = chart.series.insert(chart.series.end(), fresh);
-    }
-    s->x.push_back(e.step);
-    s->y.push_back(e.error);
+    Series fresh{e.quantity + ", " + (legacy ? "hooke history" : e.precision)};
+    fresh.colour = series_colours[e.quantity == "momentum" ? 1 : e.quantity == "enthalpy" ? 2 : 0];
+    fresh.line = legacy ? LineStyle::dotted : e.precision == "mixed" ? LineStyle::dashed : LineStyle::solid;
+    fresh.marker = legacy ? Marker::square : e.precision == "mixed" ? Marker::diamond : Marker::circle;
+    Series& s = series_named(chart, fresh);
+    s.x.push_back(e.step);
+    s.y.push_back(e.error);
   }
   return {table, chart};
 }

@@ -18,7 +18,7 @@ struct ErrorLine {
 }  // namespace
 
 PanelResult panel_of(const std::vector<ForceErrorRow>& rows) {
-  Table table({"packing", "N", "mu", "precision", "contacts", "median", "worst", "missed", "spurious"});
+  Table table({"packing", "N", "mu", "precision", "contacts", "median", "largest", "missed", "spurious"});
   std::vector<std::string> packings, precisions;
   const auto place_in = [](std::vector<std::string>& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -27,7 +27,7 @@ PanelResult panel_of(const std::vector<ForceErrorRow>& rows) {
     return static_cast<double>(names.size());
   };
   const ErrorLine lines[] = {{"median", &ForceError::median, Marker::circle},
-                             {"worst", &ForceError::largest, Marker::diamond}};
+                             {"largest", &ForceError::largest, Marker::diamond}};
   Chart chart;
   chart.y.title = "error of a contact force, relative";
   chart.x.title = "packing, in the order of the table";
@@ -42,22 +42,17 @@ PanelResult panel_of(const std::vector<ForceErrorRow>& rows) {
         place_in(packings, fmt::format("{}, {} spheres, μ {:g}", r.packing, r.particles, r.friction));
     const auto colour = static_cast<std::size_t>(place_in(precisions, r.precision)) - 1;
     for (const ErrorLine& line : lines) {
-      const std::string name = fmt::format("{}, {}", line.name, r.precision);
-      auto s = std::find_if(chart.series.begin(), chart.series.end(),
-                            [&](const Series& other) { return other.name == name; });
-      if (s == chart.series.end()) {
-        Series fresh{name};
-        fresh.colour = series_colours[colour % series_colours.size()];
-        fresh.marker = line.marker;
-        fresh.line = LineStyle::none;
-        s = chart.series.insert(chart.series.end(), fresh);
-      }
-      s->x.push_back(x);
-      s->y.push_back(r.error.*line.error);
+      Series fresh{fmt::format("{}, {}", line.name, r.precision)};
+      fresh.colour = series_colours[colour % series_colours.size()];
+      fresh.marker = line.marker;
+      fresh.line = LineStyle::none;
+      Series& s = series_named(chart, fresh);
+      s.x.push_back(x);
+      s.y.push_back(r.error.*line.error);
       if (line.error == &ForceError::largest && colour == 0) {
         std::string words = packings[static_cast<std::size_t>(x) - 1];
         std::replace(words.begin(), words.end(), '_', ' ');
-        chart.notes.push_back({x, s->y.back(), words});
+        chart.notes.push_back({x, s.y.back(), words});
       }
     }
   }

@@ -57,19 +57,13 @@ PanelResult panel_of(const std::vector<GrooveError>& errors) {
     table.row({e.law, panel_cell(e.size_ratio), panel_cell(e.step), e.late ? panel_cell(*e.late) : "stuck",
                panel_cell(e.load), panel_cell(e.wedge)});
     const bool legacy = e.law == HookeHistory::name;
-    const std::string name =
-        fmt::format("{}, {} t_c", legacy ? "hooke history" : "hooke synchronized", e.step);
-    auto s = std::find_if(chart.series.begin(), chart.series.end(),
-                          [&](const Series& o) { return o.name == name; });
-    if (s == chart.series.end()) {
-      Series fresh{name};
-      fresh.colour = series_colours[(chart.series.size() / 2) % series_colours.size()];
-      fresh.line = legacy ? LineStyle::dashed : LineStyle::solid;
-      fresh.marker = legacy ? Marker::square : Marker::circle;
-      s = chart.series.insert(chart.series.end(), fresh);
-    }
-    s->x.push_back(e.size_ratio);
-    s->y.push_back(e.late ? std::abs(*e.late) : 1);
+    Series fresh{fmt::format("{}, {} t_c", legacy ? "hooke history" : "hooke synchronized", e.step)};
+    fresh.colour = series_colours[(chart.series.size() / 2) % series_colours.size()];
+    fresh.line = legacy ? LineStyle::dashed : LineStyle::solid;
+    fresh.marker = legacy ? Marker::square : Marker::circle;
+    Series& s = series_named(chart, fresh);
+    s.x.push_back(e.size_ratio);
+    s.y.push_back(e.late ? std::abs(*e.late) : 1);
   }
   return {table, chart};
 }

@@ -1,6 +1,7 @@
 #include "cases/program/bench/panels/panel.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "cases/program/bench/panels/groove_panel.h"
 #include "cases/program/bench/panels/threads_panel.h"
 #include "cases/program/bench/panels/trajectory_panel.h"
+#include "cases/program/chart_files.h"
 #include "cases/program/run/run_folder.h"
 #include "engine/protocol/protocol.h"
 #include "io/atomic_file.h"
@@ -40,17 +42,20 @@ void show_panel(const std::string& name, const PanelResult& result, const std::f
                 Console console) {
   make_folder(folder);
   write_file(folder / (name + ".csv"), result.table.csv());
-  render_svg(result.chart, folder / (name + ".svg"));
-  try {
-    render_png(result.chart, folder / (name + ".png"));
-  } catch (const std::exception& error) {
-    console.err << "furnas: no PNG: " << error.what() << '\n';
-  }
+  const std::vector<std::string> charts = write_chart(result.chart, folder, name, console);
   console.out << result.table.aligned()
-              << fmt::format("files  {}: {}.csv {}.svg {}.png\n", folder.string(), name, name, name);
+              << fmt::format("files  {}: {}.csv {}\n", folder.string(), name, fmt::join(charts, " "));
 }
 
 std::string panel_cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+
+Series& series_named(Chart& chart, const Series& fresh) {
+  for (Series& s : chart.series)
+    if (s.name == fresh.name) return s;
+  return chart.series.emplace_back(fresh);
+}
+
+const char* name_of(Precision precision) { return precision == Precision::full ? "double" : "mixed"; }
 
 double usual_collision_time() { return time_unit_of(Protocol{}); }
 

@@ -7,6 +7,7 @@
 
 #include "cases/program/commands/command.h"
 #include "cases/program/table.h"
+#include "engine/model.h"
 #include "viz/chart.h"
 
 namespace furnas {
@@ -40,6 +41,12 @@ void show_panel(const std::string& name, const PanelResult& result, const std::f
 
 /// A cell of a table: all significant digits; empty if the number is not known.
 std::string panel_cell(double value);
+
+/// The curve of the chart that has the name of `fresh`; `fresh` becomes that curve if there is none yet.
+Series& series_named(Chart& chart, const Series& fresh);
+
+/// "mixed" or "double", as in compute.precision.
+const char* name_of(Precision precision);
 
 /// The collision time t_c of two small spheres with the default damping [time].
 double usual_collision_time();

@@ -68,8 +68,7 @@ std::vector<TrajectoryError> trajectory_errors(Effort effort) {
   std::vector<TrajectoryError> errors;
   for (const Precision precision : {Precision::full, Precision::mixed})
     for (const double step : steps) {
-      TrajectoryError e{
-          precision == Precision::full ? "double" : "mixed", 1, step, "a short step", 0, false, 0};
+      TrajectoryError e{name_of(precision), 1, step, "a short step", 0, false, 0};
       const auto one = trajectory(start, step, precision, 1, looks);
       compare_with(right, one, e);
       errors.push_back(e);

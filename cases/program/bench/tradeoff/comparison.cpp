@@ -13,16 +13,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-void count(ComparedArm& arm, const SampleRow& row) {
-  ++arm.samples;
-  ++(row.jammed()                ? arm.jammed
-     : row.settled()             ? arm.settled
-     : row.verdict == "budget"   ? arm.budget
-     : row.verdict == "diverged" ? arm.diverged
-     : row.verdict == "failed"   ? arm.failed
-                                 : arm.unfinished);
-}
-
 /// The results of the samples of an arm, as lists.
 struct ArmSamples {
   std::vector<double> phi, wall, core, steps, evaluations;
@@ -34,7 +24,7 @@ ComparedArm arm_of(const std::string& case_name, const std::string& arm_name, co
   arm.arm = arm_name;
   for (const SampleRow& row : table.rows) {
     if (row.values[0] != case_name || row.values[1] != arm_name) continue;
-    count(arm, row);
+    arm.count(row);
     if (std::isfinite(row.density())) lists.phi.push_back(row.density());
     if (row.verdict == "unfinished" || row.verdict == "failed") continue;
     lists.wall.push_back(row.wall_seconds);

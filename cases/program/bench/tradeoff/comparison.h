@@ -33,12 +33,10 @@ Standing standing_of(const MeanInterval& difference, double margin);
 std::size_t samples_to_decide(double deviation_a, double deviation_b, double difference, double margin);
 
 /// One arm on one case.
-struct ComparedArm {
+struct ComparedArm : VerdictCounts {
   std::string arm;
   std::vector<std::string> set;  ///< the keys that it changes, as assignments of --set
   Standing standing = Standing::failed;
-  std::size_t samples{};  ///< planned
-  std::size_t jammed{}, settled{}, budget{}, diverged{}, failed{}, unfinished{};
   std::optional<Spread> wall_seconds, core_seconds;  ///< of the samples that have ended
   double steps{}, evaluations{};                     ///< medians over these samples; NaN without one
   std::optional<MeanInterval> phi;                   ///< of the jammed and settled samples

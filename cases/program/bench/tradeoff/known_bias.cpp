@@ -74,6 +74,7 @@ std::string sentence_of(const Row& row) {
 }  // namespace
 
 std::vector<std::string> known_biases(const Case& c, std::string_view table) {
+  if (!c.start.file.empty() || !c.mixture.diameters.empty()) return {};  // none of them was measured
   std::vector<Row> rows = rows_of(table);
   std::erase_if(rows, [](const Row& row) {
     return row.at("arm").empty() || row.at("standing") == "reference" || row.at("standing") == "unfinished" ||

@@ -10,6 +10,7 @@
 #include "cases/program/bench/tradeoff/comparison.h"
 #include "cases/program/bench/tradeoff/work_precision.h"
 #include "cases/program/build_info.h"
+#include "cases/program/chart_files.h"
 #include "cases/program/run/folder_lock.h"
 #include "cases/program/run/progress.h"
 #include "cases/program/run/recording.h"
@@ -95,12 +96,7 @@ class Tradeoff {
                                     c.reference);
         continue;
       }
-      render_svg(chart, order_.folder / (c.name + ".svg"));
-      try {
-        render_png(chart, order_.folder / (c.name + ".png"));
-      } catch (const std::exception& error) {
-        console_.err << "furnas: no PNG: " << error.what() << '\n';
-      }
+      write_chart(chart, order_.folder, c.name, console_);
     }
   }
 

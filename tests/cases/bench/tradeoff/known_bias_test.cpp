@@ -42,6 +42,14 @@ TEST(KnownBias, IsThatOfTheMostSimilarMixture) {
   EXPECT_THAT(known_biases(c, table), IsEmpty()) << "a case with friction says nothing about one without";
 }
 
+TEST(KnownBias, OfSpheresFromAFileIsNotKnown) {
+  Case from_file, listed;
+  from_file.start.file = "start.vtp";
+  listed.mixture.diameters = "list.txt";
+  EXPECT_THAT(known_biases(from_file, table), IsEmpty());
+  EXPECT_THAT(known_biases(listed, table), IsEmpty());
+}
+
 TEST(KnownBias, IsReadFromTheStoredTable) {
   Case c;
   EXPECT_THAT(known_biases(c), ElementsAre(HasSubstr("default settings: phi_J differs by")));
