@@ -14,6 +14,8 @@ const char* text_of(Agreement agreement) {
   switch (agreement) {
     case Agreement::reproduced:
       return "reproduced";
+    case Agreement::not_excluded:
+      return "not excluded";
     case Agreement::not_reproduced:
       return "not reproduced";
     case Agreement::not_reachable:
@@ -91,7 +93,8 @@ further change, which widens the interval. Intervals are 95 % intervals of Stude
 or more with size ratio 5 or more, on the same side of f_max (below, within 0.03, above), with friction or without it like the point itself; or from
 those in which the same spheres carry the load, the large ones alone or small ones, too, if these points scatter more. A sample with N_l large spheres
 is taken to scatter as N_l^(-1/2). The tables of maxima and samples have Student's interval alone.
-*Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
+*Not excluded*: a number differs from that of the paper by more than the tolerance in the last column, but not by more than tolerance and half width of
+the interval together. *Not reachable here*: there are no samples for the statement, or so few or so small ones that their intervals do not decide it.
 )";
   text += fmt::format(
       "A cell thinner than {} largest diameters is too thin to represent a large packing: its points are "

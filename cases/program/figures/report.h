@@ -7,8 +7,13 @@
 
 namespace furnas {
 
-/// Whether a study reproduces a statement of the paper; not_reachable: its data cannot decide.
-enum class Agreement { reproduced, not_reproduced, not_reachable };
+/// Whether a study reproduces a statement of the paper.
+enum class Agreement {
+  reproduced,
+  not_excluded,  ///< a number differs by more than the tolerance, but the interval leaves room for agreement
+  not_reproduced,
+  not_reachable  ///< the data cannot decide
+};
 
 /// A statement of the paper beside the result of a study.
 struct Statement {

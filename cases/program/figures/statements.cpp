@@ -27,18 +27,19 @@ Agreement positive(double value, double reach) {
   return value + reach <= 0 ? Agreement::not_reproduced : Agreement::not_reachable;
 }
 
-/// Compares a number of the paper with ours. The two may differ by our interval and by `tolerance`, the
-/// effect of finite samples. Where our interval is wider than twice the tolerance, agreement proves nothing,
-/// and the result is "not reachable".
+/// Compares a number of the paper with ours. The two may differ by `tolerance`, the effect of finite samples;
+/// a larger difference that the interval may explain is not excluded. Where our interval is wider than twice
+/// the tolerance, agreement proves nothing, and the result is "not reachable".
 Agreement near(double ours, double reach, double paper, double tolerance) {
-  if (std::abs(ours - paper) > tolerance + reach) return Agreement::not_reproduced;
-  return reach > 2 * tolerance ? Agreement::not_reachable : Agreement::reproduced;
+  const double difference = std::abs(ours - paper);
+  if (difference > tolerance + reach) return Agreement::not_reproduced;
+  if (reach > 2 * tolerance) return Agreement::not_reachable;
+  return difference > tolerance ? Agreement::not_excluded : Agreement::reproduced;
 }
 
-/// The agreement of a whole: not reproduced if one part is not; else not reachable if one part is not; else
-/// reproduced.
+/// The agreement of a whole is that of its worst part.
 Agreement all_of(const std::vector<Agreement>& parts) {
-  for (const Agreement worst : {Agreement::not_reproduced, Agreement::not_reachable})
+  for (const Agreement worst : {Agreement::not_reproduced, Agreement::not_reachable, Agreement::not_excluded})
     if (std::find(parts.begin(), parts.end(), worst) != parts.end()) return worst;
   return parts.empty() ? Agreement::not_reachable : Agreement::reproduced;
 }
@@ -55,9 +56,8 @@ Statement begin(std::string what, std::string paper, std::string rule) {
 }
 
 Statement mono(const Study& study, const Reach& reach, double mu, double paper, double tolerance) {
-  Statement s = begin(
-      fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
-      fmt::format("differs by at most {} (1000 spheres) plus the half width of the interval", tolerance));
+  Statement s = begin(fmt::format("equal spheres, μ = {}: φ_mono", mu), fmt::format("{}", paper),
+                      fmt::format("differs by at most {} (1000 spheres)", tolerance));
   if (const Point* point = study.mono_at(mu)) compare(s, *point, reach, paper, tolerance);
   return s;
 }
@@ -65,7 +65,7 @@ Statement mono(const Study& study, const Reach& reach, double mu, double paper, 
 Statement point(const Study& study, const Reach& reach, double alpha, double mu, double f, double paper) {
   constexpr double tolerance = 0.01, near = 0.0051;
   Statement s = begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f), fmt::format("{}", paper),
-                      fmt::format("differs by at most {} plus the half width of the interval", tolerance));
+                      fmt::format("differs by at most {}", tolerance));
   const Curve* curve = study.curve(alpha, mu);
   if (curve == nullptr) return s;
   const auto off = [f](const Point& p) { return std::abs(p.small_fraction - f); };
@@ -110,8 +110,7 @@ void append(std::string& text, const std::string& more) { text += (text.empty() 
 Statement near_model(const Study& study, const Reach& reach) {
   constexpr double alpha = 20, share = 0.02;
   Statement s = begin("α = 20: φ_max within 2 % of the model for all μ", "2 %",
-                      "each friction of the sweeps differs by at most 2 % plus the half width of the "
-                      "interval, at α = 20 or more");
+                      "differs by at most 2 % for each friction of the sweeps, at α = 20 or more");
   std::string text;
   std::size_t n = 0;
   std::vector<Agreement> parts;
