@@ -18,16 +18,16 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   if (moves) step.phase("kick the cell",    kick_cell,            bath, dt, particles, s.stress, s.cell);
   if (moves) step.phase("book the drag",    book_cell_drag,       dt, particles, s.cell, s.stress.motion, s.ledger);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
-  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.contact_state, s.loads, s.particles, w.step_displacement);
+  step.phase("kick and drift",              kick_and_drift<S>,    bath, dt, s.cell, s.pairs, s.contact_state, s.loads, s.particles, w.squared_displacement);
   if (moves) step.phase("stretch the cell", stretch_cell,         bath, dt, s.cell);
 
-  step.phase("add the displacement",              add_displacement,           s.step, w.step_displacement, s.cell, s.pairs, w.displacement);
+  step.phase("add the displacement",              add_displacement,           s.step, w.squared_displacement, s.cell, s.pairs, w.displacement);
   step.phase_when(w.displacement.suspect, "measure the displacement", measure_displacement<S>, model.skin, s.step, s.cell, s.pairs, s.particles, w.displacement);
   step.phase_when(w.displacement.outdated, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.displacement, s.pairs, s.particles, w.draft);
   step.phase_when(w.displacement.outdated, "search the pairs",    search_pairs,    s.cell, w.draft);
   step.phase_when(w.displacement.outdated, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.contact_state, s.image, w.displacement);
 
-  step.phase("watch the inner list",         watch_inner_list,      s.step, dt, w.step_displacement, s.cell, s.pairs, w.inner);
+  step.phase("watch the inner list",         watch_inner_list,      s.step, dt, w.squared_displacement, s.cell, s.pairs, w.inner);
   step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.contact_state, w.inner, s.stress.contacts, w.work);
   step.phase("book the contacts",           book_contacts,        dt, s.cell, w.work, s.ledger);
   step.phase("gather and kick",             gather_and_kick<S>,   bath, dt, s.cell, s.pairs, s.rows, s.contact_state, s.loads, s.particles, s.stress.motion);
@@ -47,7 +47,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
   step.name(s.rows, "rows");
   step.name(s.contact_state, "contact state");
   step.name(s.image, "image");
-  step.name(w.step_displacement, "displacement in the step");
+  step.name(w.squared_displacement, "displacement in the step");
   step.name(w.displacement, "displacement");
   step.name(w.inner, "inner list");
   step.name(w.draft, "draft of the list");

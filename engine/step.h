@@ -9,7 +9,7 @@ namespace furnas {
 
 /// What the phases pass to each other within a step.
 struct StepWork {
-  StepDisplacement step_displacement;
+  SquaredDisplacement squared_displacement;
   ListDisplacement displacement;
   InnerList inner;
   ListDraft draft;

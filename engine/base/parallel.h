@@ -67,6 +67,12 @@ void for_chunks(std::size_t count, std::size_t size, Body&& body) {
                      &loop);
 }
 
+/// A value whose sum with another is the larger of the two, so that ordered_sum gives the largest.
+struct Largest {
+  double value{};
+  void operator+=(const Largest& b) { value = b.value > value ? b.value : value; }
+};
+
 /// The sum of body(begin, end) over the pieces of [0, count), added in the order of the pieces: the
 /// same bits for any number of threads.
 template <class T, class Body>

@@ -20,7 +20,7 @@ double drift(const DriftLoop<S>& loop, std::size_t begin, std::size_t end) {
 }
 
 template <class S>
-MotionSum gather(const GatherLoop<S>& loop, std::size_t begin, std::size_t end) {
+Triangle gather(const GatherLoop<S>& loop, std::size_t begin, std::size_t end) {
   return HWY_NAMESPACE::GatherKernel<S>(loop)(begin, end);
 }
 

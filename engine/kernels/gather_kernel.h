@@ -11,7 +11,7 @@ class GatherKernel {
  public:
   explicit GatherKernel(const GatherLoop<S>& loop) : loop_(loop), drag_(loop.drag) {}
 
-  MotionSum operator()(std::size_t begin, std::size_t end) {
+  Triangle operator()(std::size_t begin, std::size_t end) {
     Vec3<R> diagonal[parts], shear[parts];
     for (std::size_t i = begin; i < end; i += batch) {
       const std::size_t stop = end - i < batch ? end : i + batch;

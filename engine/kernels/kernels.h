@@ -92,14 +92,6 @@ struct GatherLoop {
   Particle<Real, S::spins>* particles;
 };
 
-/// Sum of m v (x) v [k_n d_s^2].
-struct MotionSum {
-  double xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
-  void operator+=(const MotionSum& b) {
-    xx += b.xx, yy += b.yy, zz += b.zz, yz += b.yz, xz += b.xz, xy += b.xy;
-  }
-};
-
 /// The loops that take nearly all of the time of a step, compiled for one instruction set. Each loop runs
 /// over particles [begin, end).
 template <class S>
@@ -107,7 +99,8 @@ struct Kernels {
   ContactSum (*contacts)(const ContactLoop<S>&, std::size_t begin, std::size_t end);
   double (*drift)(const DriftLoop<S>&, std::size_t begin,
                   std::size_t end);  ///< square of the largest displacement [d_s^2]
-  MotionSum (*gather)(const GatherLoop<S>&, std::size_t begin, std::size_t end);
+  /// Returns the sum of m v (x) v [k_n d_s^2].
+  Triangle (*gather)(const GatherLoop<S>&, std::size_t begin, std::size_t end);
 };
 
 /// The instruction sets for which kernels are compiled, in order of rising width.

@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::size_t chunk = 512;  // particles
 
-void add_product(Triangle& t, const Vec3<double>& a, const Vec3<double>& b) {
-  t.xx += a.x * b.x, t.yy += a.y * b.y, t.zz += a.z * b.z;
-  t.yz += a.y * b.z, t.xz += a.x * b.z, t.xy += a.x * b.y;
-}
-
 /// Sums over the contacts in look().
 struct ContactTotals {
   double energy{};  ///< [k_n d_s^2]
@@ -31,19 +26,9 @@ struct ContactTotals {
   void operator+=(const ContactTotals& b) {
     energy += b.energy;
     force += b.force;
-    push = sum_of(push, 1, b.push);
+    push += b.push;
     count += b.count;
   }
-};
-
-struct Largest {
-  double value{};
-  void operator+=(const Largest& b) { value = std::max(value, b.value); }
-};
-
-struct StrainStiffness {
-  Triangle sum;
-  void operator+=(const StrainStiffness& b) { sum = sum_of(sum, 1, b.sum); }
 };
 
 }  // namespace
@@ -81,7 +66,7 @@ void Enthalpy::renew_list() {
 }
 
 bool Enthalpy::covers(const Shift& shift) const {
-  const double strain = strain_between(edges_, sum_of(edges_, 1, product(shift.strain, edges_)));
+  const double strain = strain_between(edges_, edges_ + product(shift.strain, edges_));
   if (strain >= 1) return false;
   std::vector<double> moved;
   for (const SizeClass& group : list_.classes) {
@@ -120,7 +105,7 @@ void Enthalpy::look(const Shift& shift, Point& point) {
               force_[k] = (push / distance) * branch;
               piece.energy += law.energy(touch, {}).normal;
               piece.force += push;
-              add_product(piece.push, force_[k], branch_[k]);
+              piece.push += upper_product(force_[k], branch_[k]);
               ++piece.count;
             }
           return piece;
@@ -140,7 +125,7 @@ void Enthalpy::look(const Shift& shift, Point& point) {
   const double x = 1 + e.xx, y = 1 + e.yy, z = 1 + e.zz;
   point.value = total.energy + outside * x * y * z;
   point.gradient.strain = possible(
-      sum_of({outside * y * z, outside * x * z, outside * x * y, 0, 0, 0}, -1, total.push), bath_.freedom);
+      Triangle{outside * y * z, outside * x * z, outside * x * y, 0, 0, 0} - total.push, bath_.freedom);
   point.contacts = total.count;
   point.mean_force = total.count > 0 ? total.force / static_cast<double>(total.count) : 0;
 }
@@ -148,10 +133,10 @@ void Enthalpy::look(const Shift& shift, Point& point) {
 Shift Enthalpy::softness() const {
   Shift soft(particles());
   std::vector<double> stiffness(list_.rows());
-  const StrainStiffness total = std::visit(
+  const Triangle total = std::visit(
       [&](const auto& law) {
-        return ordered_sum<StrainStiffness>(particles(), chunk, [&](std::size_t begin, std::size_t end) {
-          StrainStiffness piece;
+        return ordered_sum<Triangle>(particles(), chunk, [&](std::size_t begin, std::size_t end) {
+          Triangle piece;
           for (std::size_t i = begin; i < end; ++i)
             for (std::size_t k = list_.first[i]; k < list_.first[i + 1]; ++k) {
               const std::uint32_t j = list_.partner[k];
@@ -161,12 +146,10 @@ Shift Enthalpy::softness() const {
               stiffness[k] = law.stiffness(resting_touch(radius_[i], radius_[j],
                                                          reduced_mass(mass_[i], mass_[j]), overlap))
                                  .normal;
-              Triangle stretch;
-              add_product(stretch, branch_[k] * (1 / distance), branch_[k]);
-              const Triangle& s = stretch;
-              piece.sum =
-                  sum_of(piece.sum, stiffness[k],
-                         {s.xx * s.xx, s.yy * s.yy, s.zz * s.zz, s.yz * s.yz, s.xz * s.xz, s.xy * s.xy});
+              const Triangle s =
+                  upper_product(branch_[k] * (1 / distance), branch_[k]);  // stretch by a strain
+              piece += stiffness[k] *
+                       Triangle{s.xx * s.xx, s.yy * s.yy, s.zz * s.zz, s.yz * s.yz, s.xz * s.xz, s.xy * s.xy};
             }
           return piece;
         });
@@ -183,7 +166,7 @@ Shift Enthalpy::softness() const {
     }
   });
   const auto softer = [](double sum) { return sum > 0 ? 1 / sum : 1; };
-  const Triangle& s = total.sum;
+  const Triangle& s = total;
   soft.strain = {softer(s.xx), softer(s.yy), softer(s.zz), softer(s.yz), softer(s.xz), softer(s.xy)};
   if (bath_.freedom == CellFreedom::cubic)
     soft.strain.xx = soft.strain.yy = soft.strain.zz = softer(s.trace());
@@ -191,7 +174,7 @@ Shift Enthalpy::softness() const {
 }
 
 void Enthalpy::move(const Shift& shift) {
-  edges_ = sum_of(edges_, 1, product(shift.strain, edges_));
+  edges_ += product(shift.strain, edges_);
   const Triangle to_fractions = inverse(edges_);
   for_chunks(particles(), chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -13,11 +13,6 @@ Vec3<double> by_component(const Vec3<double>& a, const Vec3<double>& b) {
 
 }  // namespace
 
-Triangle sum_of(const Triangle& a, double factor, const Triangle& b) {
-  return {a.xx + factor * b.xx, a.yy + factor * b.yy, a.zz + factor * b.zz,
-          a.yz + factor * b.yz, a.xz + factor * b.xz, a.xy + factor * b.xy};
-}
-
 double dot(const Shift& a, const Shift& b) {
   return contraction(a.strain, b.strain) +
          ordered_sum<double>(a.displacement.size(), shift_chunk, [&](std::size_t begin, std::size_t end) {
@@ -28,7 +23,7 @@ double dot(const Shift& a, const Shift& b) {
 }
 
 void add(const Shift& a, double factor, const Shift& b, Shift& sum) {
-  sum.strain = sum_of(a.strain, factor, b.strain);
+  sum.strain = a.strain + factor * b.strain;
   for_chunks(a.displacement.size(), shift_chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
       sum.displacement[k] = a.displacement[k] + factor * b.displacement[k];
@@ -36,7 +31,7 @@ void add(const Shift& a, double factor, const Shift& b, Shift& sum) {
 }
 
 double add_and_dot(Shift& to, double factor, const Shift& b, const Shift& c) {
-  to.strain = sum_of(to.strain, factor, b.strain);
+  to.strain += factor * b.strain;
   return contraction(to.strain, c.strain) +
          ordered_sum<double>(to.displacement.size(), shift_chunk, [&](std::size_t begin, std::size_t end) {
            double sum = 0;

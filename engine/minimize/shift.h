@@ -30,7 +30,4 @@ double add_and_dot(Shift& to, double factor, const Shift& b, const Shift& c);
 /// Writes the product of each component of b with that of `weight` to `product`, which may be b.
 void multiply(const Shift& weight, const Shift& b, Shift& product);
 
-/// a + factor b of two triangles.
-Triangle sum_of(const Triangle& a, double factor, const Triangle& b);
-
 }  // namespace furnas

@@ -80,8 +80,7 @@ double unloading_strain(const Packing& p, const AnyLaw& law) {
   double push = 0, stiffness = 0;  // of all contacts, against an isotropic strain
   for (const Contact& c : p.contacts) {
     const double distance = norm(c.branch);
-    const ContactStiffness spring = stiffness_of(
-        law, resting_touch(p.radius[c.i], p.radius[c.j], reduced_mass(p.mass[c.i], p.mass[c.j]), c.overlap));
+    const ContactStiffness spring = stiffness_of(law, touch_of(p, c));
     push += spring.push * distance;
     stiffness += spring.normal * distance * distance;
   }

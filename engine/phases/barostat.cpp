@@ -33,10 +33,7 @@ namespace {
 Triangle stretched(const Triangle& h, const Triangle& e, double t) {
   Triangle sum = h;
   for (int term = 8; term > 0; --term) {
-    const Triangle next = product(e, sum);
-    const double weight = t / term;
-    sum = {h.xx + weight * next.xx, h.yy + weight * next.yy, h.zz + weight * next.zz,
-           h.yz + weight * next.yz, h.xz + weight * next.xz, h.xy + weight * next.xy};
+    sum = h + (t / term) * product(e, sum);
   }
   return sum;
 }

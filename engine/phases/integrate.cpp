@@ -30,7 +30,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                     const ContactState<typename Numerics::Real>& contact_state,
                     const std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
                     std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
-                    StepDisplacement& step_displacement) {
+                    SquaredDisplacement& squared_displacement) {
   const DriftLoop<Numerics> loop{.time_step = time_step,
                                  .drag = cell_drag(bath, cell.rate, particles.size(), time_step),
                                  .to_fraction = inverse(cell.edges),
@@ -39,14 +39,14 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                                  .loads = loads.data(),
                                  .particles = particles.data()};
   const auto kernel = kernels<Numerics>().drift;
-  step_displacement.assign(pairs.classes.size(), 0);
+  squared_displacement.assign(pairs.classes.size(), 0);
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
     std::vector<double> largest((group.last - group.first + chunk - 1) / chunk);
     for_chunks(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end, std::size_t piece) {
       largest[piece] = kernel(loop, group.first + begin, group.first + end);
     });
-    for (double top : largest) step_displacement[c] = std::max(step_displacement[c], top);
+    for (double top : largest) squared_displacement[c] = std::max(squared_displacement[c], top);
   }
 }
 
@@ -69,7 +69,7 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
                                   .loads = loads.data(),
                                   .particles = particles.data()};
   const auto kernel = kernels<Numerics>().gather;
-  const auto sum = ordered_sum<MotionSum>(
+  const auto sum = ordered_sum<Triangle>(
       particles.size(), chunk, [&](std::size_t begin, std::size_t end) { return kernel(loop, begin, end); });
   motion << sum.xx, sum.xy, sum.xz, sum.xy, sum.yy, sum.yz, sum.xz, sum.yz, sum.zz;
 }
@@ -78,7 +78,7 @@ void gather_and_kick(const Barostat& bath, const double& time_step, const Cell& 
   template void kick_and_drift<Numerics<Law, Real>>(                                                       \
       const Barostat&, const double&, const Cell&, const PairList&, const ContactState<Real>&,             \
       const std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&,                \
-      StepDisplacement&);                                                                                  \
+      SquaredDisplacement&);                                                                               \
   template void gather_and_kick<Numerics<Law, Real>>(                                                      \
       const Barostat&, const double&, const Cell&, const PairList&, const Rows<Real, Law::spins>&,         \
       ContactState<Real>&, std::vector<Load<Real, Law::spins>>&, std::vector<Particle<Real, Law::spins>>&, \

@@ -9,7 +9,7 @@ namespace furnas {
 
 /// Largest displacement of a particle of each size class in this step, without the cell's affine part,
 /// measured in the cell as it was when the list was built; squared [d_s^2].
-using StepDisplacement = std::vector<double>;
+using SquaredDisplacement = std::vector<double>;
 
 /// First half of the step for the particles: effect of the cell's rate on peculiar velocities, half a kick,
 /// drift.
@@ -18,7 +18,7 @@ void kick_and_drift(const Barostat& bath, const double& time_step, const Cell& c
                     const ContactState<typename Numerics::Real>& contact_state,
                     const std::vector<Load<typename Numerics::Real, Numerics::spins>>& loads,
                     std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
-                    StepDisplacement& step_displacement);
+                    SquaredDisplacement& squared_displacement);
 
 /// Second half of the step: the sum over the contacts of each particle, in an order that does not depend on
 /// the threads, then half a kick and the effect of the cell's rate. `motion` becomes the kinetic part of the

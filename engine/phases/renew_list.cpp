@@ -11,13 +11,13 @@
 
 namespace furnas {
 
-void add_displacement(const std::int64_t& step, const StepDisplacement& step_displacement, const Cell& cell,
-                      const PairList& pairs, ListDisplacement& displacement) {
-  for (std::size_t c = 0; c < step_displacement.size(); ++c)
-    displacement.largest[c] += std::sqrt(step_displacement[c]);
+void add_displacement(const std::int64_t& step, const SquaredDisplacement& squared_displacement,
+                      const Cell& cell, const PairList& pairs, ListDisplacement& displacement) {
+  for (std::size_t c = 0; c < squared_displacement.size(); ++c)
+    displacement.largest[c] += std::sqrt(squared_displacement[c]);
   displacement.suspect =
       is_time_to_ask(pairs, step) ||
-      !list_is_complete(pairs, displacement.largest, shrinkage_bound(cell.edges, pairs.edges));
+      !list_is_complete(pairs, displacement.largest, shrinkage_bound(pairs.edges, cell.edges));
 }
 
 template <class Numerics>
@@ -27,13 +27,9 @@ void measure_displacement(const std::optional<double>& skin, const std::int64_t&
                           ListDisplacement& displacement) {
   for (std::size_t c = 0; c < pairs.classes.size(); ++c) {
     const SizeClass& group = pairs.classes[c];
-    struct Furthest {
-      double square{};
-      void operator+=(const Furthest& b) { square = std::max(square, b.square); }
-    };
-    const auto furthest =
-        ordered_sum<Furthest>(group.last - group.first, 1024, [&](std::size_t begin, std::size_t end) {
-          Furthest piece;
+    const auto square =
+        ordered_sum<Largest>(group.last - group.first, 1024, [&](std::size_t begin, std::size_t end) {
+          Largest piece;
           for (std::size_t i = group.first + begin; i < group.first + end; ++i) {
             const Vec3<double> moved =
                 pairs.edges * nearest_difference(particles[i].position, pairs.reference[i]);
@@ -41,9 +37,9 @@ void measure_displacement(const std::optional<double>& skin, const std::int64_t&
           }
           return piece;
         });
-    displacement.largest[c] = std::sqrt(furthest.square);
+    displacement.largest[c] = std::sqrt(square.value);
   }
-  const double shrunk = shrinkage(cell.edges, pairs.edges);
+  const double shrunk = shrinkage(pairs.edges, cell.edges);
   displacement.outdated = !list_is_complete(pairs, displacement.largest, shrunk) ||
                           is_too_wide(pairs, displacement.largest, shrunk, step, skin);
 }
@@ -64,7 +60,7 @@ void bin_particles(const std::optional<double>& skin, const std::int64_t& step, 
   });
   draft.fresh.classes = pairs.classes;
   draft.fresh.skin = next_skin(pairs, displacement.largest,
-                               pairs.builds > 0 ? shrinkage(cell.edges, pairs.edges) : 0, step, skin);
+                               pairs.builds > 0 ? shrinkage(pairs.edges, cell.edges) : 0, step, skin);
   draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, positions);
 }
 
@@ -92,16 +88,16 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
 }
 
 void watch_inner_list(const std::int64_t& step, const double& time_step,
-                      const StepDisplacement& step_displacement, const Cell& cell, const PairList& pairs,
-                      InnerList& inner) {
+                      const SquaredDisplacement& squared_displacement, const Cell& cell,
+                      const PairList& pairs, InnerList& inner) {
   if (inner.builds == pairs.builds) {
     if (inner.kept) {
-      // step_displacement is measured in the cell at the build of the neighbour list.
+      // squared_displacement is measured in the cell at the build of the neighbour list.
       const double stretch = 1 + strain_between(pairs.edges, inner.edges);
-      for (std::size_t c = 0; c < step_displacement.size(); ++c)
-        inner.displacement[c] += stretch * std::sqrt(step_displacement[c]);
+      for (std::size_t c = 0; c < squared_displacement.size(); ++c)
+        inner.displacement[c] += stretch * std::sqrt(squared_displacement[c]);
       inner.outdated = !rows_are_complete(pairs.classes, inner.skin, inner.edges, inner.displacement,
-                                          shrinkage_bound(cell.edges, inner.edges));
+                                          shrinkage_bound(inner.edges, cell.edges));
     }
     if (!inner.outdated || (!inner.kept && !is_time_to_ask(pairs, step))) return;
   }
@@ -110,7 +106,7 @@ void watch_inner_list(const std::int64_t& step, const double& time_step,
   inner.edges = cell.edges;
   inner.displacement.assign(pairs.classes.size(), 0);
   double motion = 0;
-  for (double square : step_displacement) motion = std::max(motion, 2 * std::sqrt(square));
+  for (double square : squared_displacement) motion = std::max(motion, 2 * std::sqrt(square));
   const Triangle& e = cell.rate;
   const double strain = time_step * std::hypot(std::hypot(e.xx, e.yy, e.zz), std::hypot(e.yz, e.xz, e.xy));
   choose_inner_skin(pairs, motion, strain, inner);

@@ -20,8 +20,8 @@ struct ListDraft {
 
 /// Adds the largest displacements of this step to those since the build, and decides whether the real
 /// displacements must be measured.
-void add_displacement(const std::int64_t& step, const StepDisplacement& step_displacement, const Cell& cell,
-                      const PairList& pairs, ListDisplacement& displacement);
+void add_displacement(const std::int64_t& step, const SquaredDisplacement& squared_displacement,
+                      const Cell& cell, const PairList& pairs, ListDisplacement& displacement);
 
 /// Measures the real displacements since the list was built.
 template <class Numerics>
@@ -50,7 +50,7 @@ void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
 /// Adds the largest displacements of this step to those of the inner list, and decides whether the inner list
 /// must be built again.
 void watch_inner_list(const std::int64_t& step, const double& time_step,
-                      const StepDisplacement& step_displacement, const Cell& cell, const PairList& pairs,
-                      InnerList& inner);
+                      const SquaredDisplacement& squared_displacement, const Cell& cell,
+                      const PairList& pairs, InnerList& inner);
 
 }  // namespace furnas

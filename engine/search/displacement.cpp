@@ -45,14 +45,14 @@ bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, 
   return true;
 }
 
-double shrinkage(const Triangle& now, const Triangle& then) {
+double shrinkage(const Triangle& then, const Triangle& now) {
   const Eigen::Matrix3d f = dense(product(now, inverse(then)));
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.compute(f.transpose() * f, Eigen::EigenvaluesOnly);
   return 1 - std::sqrt(std::max(solver.eigenvalues()(0), 0.0));
 }
 
-double shrinkage_bound(const Triangle& now, const Triangle& then) {
+double shrinkage_bound(const Triangle& then, const Triangle& now) {
   // sigma_min(F) >= 1 - |F - I| in the spectral norm, and strain_between, the Frobenius norm, is at least the
   // spectral norm.
   return strain_between(then, now);

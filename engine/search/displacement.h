@@ -29,10 +29,10 @@ bool rows_are_complete(const std::vector<SizeClass>& classes, const Skin& skin, 
 
 /// 1 - the smallest singular value of F = edges_now edges_then^-1: no distance that deforms with the cell has
 /// shrunk by a larger share.
-double shrinkage(const Triangle& now, const Triangle& then);
+double shrinkage(const Triangle& then, const Triangle& now);
 
 /// An upper bound of `shrinkage` that costs only a few operations.
-double shrinkage_bound(const Triangle& now, const Triangle& then);
+double shrinkage_bound(const Triangle& then, const Triangle& now);
 
 /// Whether the width of a list is to be checked in this step: at ages of 128, 256, 512, ... steps.
 bool is_time_to_ask(const PairList& list, std::int64_t step);

@@ -55,8 +55,7 @@ struct Edge {
 Ledger times_as_much(double factor, const Ledger& ledger) {
   Ledger all = ledger;
   for (double* sum : {&all.initial, &all.cell_work, &all.quenched}) *sum *= factor;
-  Triangle& push = all.last.push;
-  for (double* sum : {&push.xx, &push.yy, &push.zz, &push.yz, &push.xz, &push.xy}) *sum *= factor;
+  all.last.push = factor * ledger.last.push;
   all.losses = factor * ledger.losses;
   all.last.losses = factor * ledger.last.losses;
   return all;

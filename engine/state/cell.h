@@ -14,7 +14,22 @@ struct Triangle {
   double determinant() const { return xx * yy * zz; }
   double trace() const { return xx + yy + zz; }
   friend bool operator==(const Triangle&, const Triangle&) = default;
+
+  Triangle& operator+=(const Triangle& b) {
+    xx += b.xx, yy += b.yy, zz += b.zz, yz += b.yz, xz += b.xz, xy += b.xy;
+    return *this;
+  }
+  friend Triangle operator+(Triangle a, const Triangle& b) { return a += b; }
+  friend Triangle operator-(const Triangle& a, const Triangle& b) { return a + -1.0 * b; }
+  friend Triangle operator*(double s, const Triangle& a) {
+    return {s * a.xx, s * a.yy, s * a.zz, s * a.yz, s * a.xz, s * a.xy};
+  }
 };
+
+/// The upper triangle of a (x) b: a_i b_j for i <= j.
+inline Triangle upper_product(const Vec3<double>& a, const Vec3<double>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z, a.y * b.z, a.x * b.z, a.x * b.y};
+}
 
 /// h v; `R` is a number, or lanes of numbers.
 template <class R>

@@ -42,13 +42,9 @@ struct ContactWork {
   Triangle push;
   Losses losses;  ///< in a step [k_n d_s^2]
 
-  void add(const Vec3<double>& force, const Vec3<double>& branch) {
-    push.xx += force.x * branch.x, push.yy += force.y * branch.y, push.zz += force.z * branch.z;
-    push.yz += force.y * branch.z, push.xz += force.x * branch.z, push.xy += force.x * branch.y;
-  }
+  void add(const Vec3<double>& force, const Vec3<double>& branch) { push += upper_product(force, branch); }
   void operator+=(const ContactWork& b) {
-    push.xx += b.push.xx, push.yy += b.push.yy, push.zz += b.push.zz;
-    push.yz += b.push.yz, push.xz += b.push.xz, push.xy += b.push.xy;
+    push += b.push;
     losses += b.losses;
   }
 };

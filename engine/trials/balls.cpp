@@ -56,8 +56,7 @@ Vec3<double> momentum(const Packing& p) {
 double kept_enthalpy(const Packing& p, const Barostat& bath) {
   const Triangle& e = p.cell.rate;
   return kinetic_energy(p) + elastic_energy(p) + bath.pressure * p.cell.volume() +
-         0.5 * bath.inertia *
-             (e.xx * e.xx + e.yy * e.yy + e.zz * e.zz + e.yz * e.yz + e.xz * e.xz + e.xy * e.xy);
+         0.5 * bath.inertia * contraction(e, e);
 }
 
 }  // namespace furnas

@@ -41,8 +41,7 @@ Eigen::Matrix3d stress_per_strain(Model model, const Packing& crystal, const Tri
   const double rate = size / (steps * model.time_step);
   Packing p = with_forces(model, crystal);
   const Eigen::Matrix3d before = p.stress.contacts / p.cell.volume();
-  p.cell.rate = {rate * strain.xx, rate * strain.yy, rate * strain.zz,
-                 rate * strain.yz, rate * strain.xz, rate * strain.xy};
+  p.cell.rate = rate * strain;
   for (auto& spin : p.spin) spin = (rate / 2) * Vec3<double>{-strain.yz, strain.xz, -strain.xy};
   p = after(model, p, steps);
   return (p.stress.contacts / p.cell.volume() - before) / size;

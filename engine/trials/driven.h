@@ -57,7 +57,7 @@ class Driven {
 
   void advance(std::int64_t steps) {
     for (std::int64_t n = 0; n < steps; ++n) {
-      StepDisplacement unused;
+      SquaredDisplacement unused;
       kick_and_drift<S>(model_.barostat, model_.time_step, state_.cell, state_.pairs, state_.contact_state,
                         state_.loads, state_.particles, unused);
       ++state_.step;

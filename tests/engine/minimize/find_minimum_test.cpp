@@ -33,7 +33,7 @@ Packing shaken(Packing p, double size, const Triangle& strain) {
     const Vec3<double> moved = in_unit_cell(s) + inverse(p.cell.edges) * dice.vector(size);
     s = to_fraction(moved);
   }
-  p.cell.edges = sum_of(p.cell.edges, 1, product(strain, p.cell.edges));
+  p.cell.edges += product(strain, p.cell.edges);
   return p;
 }
 

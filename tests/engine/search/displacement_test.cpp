@@ -39,7 +39,7 @@ std::vector<double> measured(const Packing& p, const PairList& list) {
   constexpr double given_skin = 0;  // so that no list is too wide
   measure_displacement<Smooth>(given_skin, list.step, p.cell, list, particles, displacement);
   EXPECT_EQ(displacement.outdated,
-            !list_is_complete(list, displacement.largest, shrinkage(p.cell.edges, list.edges)));
+            !list_is_complete(list, displacement.largest, shrinkage(list.edges, p.cell.edges)));
   return displacement.largest;
 }
 
@@ -67,8 +67,8 @@ TEST(Shrinkage, IsTheLargestShareADistanceLoses) {
     const Triangle f = deformation(dice, std::pow(10.0, dice.between(-12, -0.4)));
     const Triangle now = product(f, then);
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(dense(f));
-    RC_ASSERT(std::abs(shrinkage(now, then) - (1 - svd.singularValues()(2))) < 1e-13);
-    RC_ASSERT(shrinkage_bound(now, then) >= shrinkage(now, then) - 1e-14);
+    RC_ASSERT(std::abs(shrinkage(then, now) - (1 - svd.singularValues()(2))) < 1e-13);
+    RC_ASSERT(shrinkage_bound(then, now) >= shrinkage(then, now) - 1e-14);
   }));
   const Triangle h{3, 4, 5, 1, -1, 0.5};
   EXPECT_NEAR(shrinkage(h, h), 0, 1e-15);
@@ -129,7 +129,7 @@ TEST(ListIsComplete, NeverWhileASkilfulPairTouchesUnlisted) {
     RC_ASSERT(a.list.rows() == 0u);
     RC_ASSERT(hides_a_touch(a.then, a.now, a.list));
     RC_ASSERT(
-        !list_is_complete(a.list, measured(a.now, a.list), shrinkage(a.now.cell.edges, a.then.cell.edges)));
+        !list_is_complete(a.list, measured(a.now, a.list), shrinkage(a.then.cell.edges, a.now.cell.edges)));
   }));
 }
 
@@ -140,7 +140,7 @@ TEST(ListIsComplete, AsLongAsEqualSpheresHaveNotMet) {
     const Approach a = approach(dice, dice.between(0, 0.9));
     if (!a.alike || a.list.skin(1) < 1e-3) return;
     RC_ASSERT(
-        list_is_complete(a.list, measured(a.now, a.list), shrinkage(a.now.cell.edges, a.then.cell.edges)));
+        list_is_complete(a.list, measured(a.now, a.list), shrinkage(a.then.cell.edges, a.now.cell.edges)));
   }));
 }
 
@@ -164,7 +164,7 @@ TEST(ListIsComplete, NeverWhileAnyPairTouchesUnlisted) {
       const Fraction moved = to_fraction(inverse(now.cell.edges) * dice.vector(size));
       s = {s.x + moved.x, s.y + moved.y, s.z + moved.z};
     }
-    if (list_is_complete(list, measured(now, list), shrinkage(now.cell.edges, then.cell.edges)))
+    if (list_is_complete(list, measured(now, list), shrinkage(then.cell.edges, now.cell.edges)))
       RC_ASSERT(!hides_a_touch(then, now, list));
   }));
 }
@@ -194,7 +194,7 @@ TEST(AddDisplacement, SuspectsEveryListThatIsWorn) {
       p.cell.rate = {rate.xx - 1, rate.yy - 1, rate.zz - 1, rate.yz, rate.xz, rate.xy};
       stretch_cell(Barostat{}, dt, p.cell);
       const double speed = step < turn ? fast : 0;
-      StepDisplacement longest(list.classes.size(), 0);
+      SquaredDisplacement longest(list.classes.size(), 0);
       for (std::size_t c = 0; c < list.classes.size(); ++c)
         for (std::size_t k = list.classes[c].first; k < list.classes[c].last; ++k) {
           const Vec3<double> s = inverse(p.cell.edges) * Vec3<double>{dt * speed, 0, 0};
@@ -205,7 +205,7 @@ TEST(AddDisplacement, SuspectsEveryListThatIsWorn) {
       stretch_cell(Barostat{}, dt, p.cell);
       add_displacement(list.step, longest, p.cell, list, displacement);
       if (displacement.suspect) return;
-      RC_ASSERT(list_is_complete(list, measured(p, list), shrinkage(p.cell.edges, list.edges)));
+      RC_ASSERT(list_is_complete(list, measured(p, list), shrinkage(list.edges, p.cell.edges)));
     }
   }));
 }
