@@ -126,6 +126,7 @@ class TradeoffReader {
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Entry> in_order;
+    in_order.reserve(found.size());
     for (auto& [line, entry] : found) in_order.push_back(std::move(entry));
     return in_order;
   }

@@ -69,6 +69,7 @@ std::string obvious_x(const std::vector<VaryingKey>& varying) {
   if (std::find(numbers.begin(), numbers.end(), fraction_key) != numbers.end()) return fraction_key;
   if (numbers.size() == 1) return numbers.front();
   std::vector<std::string> all;
+  all.reserve(varying.size());
   for (const VaryingKey& v : varying) all.push_back(v.key);
   throw InputError(
       fmt::format("--x is missing; allowed: a key of several values: {}",
@@ -103,12 +104,14 @@ std::vector<CurveOfSamples> curves_by(const Gathered& all, const std::string& x,
       throw InputError(
           fmt::format("--x {}: \"{}\" is no number; allowed: a key of numbers", x, row.values[place]));
     std::vector<std::string> values;
+    values.reserve(by.size());
     for (const std::string& key : by) values.push_back(row.values[place_of(all, key)]);
     CurveOfSamples& curve = curves[values];
     curve.values = values;
     curve.points[*at].push_back(k);
   }
   std::vector<CurveOfSamples> sorted;
+  sorted.reserve(curves.size());
   for (auto& [values, curve] : curves) sorted.push_back(std::move(curve));
   std::stable_sort(sorted.begin(), sorted.end(), [](const CurveOfSamples& a, const CurveOfSamples& b) {
     for (std::size_t k = 0; k < a.values.size(); ++k) {

@@ -52,6 +52,7 @@ std::string maxima_csv(const std::vector<Curve>& curves, const std::vector<std::
     const auto maximum = maximum_of(curve);
     if (!maximum) continue;
     std::vector<std::string> cells;
+    cells.reserve(names.size());
     for (const std::size_t k : places) cells.push_back(curve.points.front().values[k]);
     for (const MaximumColumn& column : maximum_column_table) cells.push_back(column.cell(curve, *maximum));
     table.row(cells);

@@ -164,7 +164,7 @@ class Sweep {
   std::string write_tables() const {
     const SampleTable table = table_of(samples_, keys_);
     const std::vector<Point> points = points_of(table);
-    const std::string text = csv(table);
+    std::string text = csv(table);
     put(sample_table_name, text);
     put("points.csv", csv(points, keys_));
     put("maxima.csv", maxima_csv(curves_of(points, keys_), keys_));
