@@ -124,8 +124,7 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
       terms.histories
           ? fmt::format(
                 "Recomputed from positions, radii, masses, cell and tangential histories, without forces and "
-                "velocities; the run's list "
-                "lacks {} contacts and has {} that are open.\n\n",
+                "velocities; the run's list lacks {} contacts and has {} that are open.\n\n",
                 c.unlisted, c.open)
           : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {

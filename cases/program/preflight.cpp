@@ -67,12 +67,11 @@ double steps_of_window(const Case& c, double smallest) {
 std::string refusal_of_time(double seconds_a_step, const Case& c, double smallest) {
   if (c.compaction.cell == "fixed") return {};  // such a run is meant to end with its steps
   if (c.contact.normal_damping == 0 && c.contact.friction == 0 &&
-      c.compaction.drag.value_or(c.compaction.cell_damping) == 0) {
+      c.compaction.drag.value_or(c.compaction.cell_damping) == 0)
     return fmt::format(
         "nothing takes energy out: contact.normal_damping, contact.friction and compaction.{} are 0, so that "
         "the packing never comes to rest; give one of them a value, or take compaction.cell = \"fixed\"",
         c.compaction.drag ? "drag" : "cell_damping");
-  }
   constexpr double longest = 30 * 365.25 * 86400;  // [s]
   const double window = steps_of_window(c, smallest);
   const double shortest = seconds_a_step * std::min(window, static_cast<double>(c.stop.steps));

@@ -80,8 +80,9 @@ std::string flaw_of(const Packing& p) {
 
 void validate(const Packing& p, const std::string& source) {
   std::string flaw = flaw_of_spheres(p);
-  for (const Contact& c : p.contacts)
-    if (flaw.empty() && !finite(c.history)) flaw = "a tangential history is not finite";
+  const auto is_finite = [](const Contact& c) { return finite(c.history); };
+  if (flaw.empty() && !std::all_of(p.contacts.begin(), p.contacts.end(), is_finite))
+    flaw = "a tangential history is not finite";
   if (flaw.empty()) flaw = common_centre(p);
   if (!flaw.empty()) throw InputError(source.empty() ? flaw : source + ": " + flaw);
 }

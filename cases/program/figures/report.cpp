@@ -98,8 +98,7 @@ the interval together. *Not reachable here*: there are no samples for the statem
 )";
   text += fmt::format(
       "A cell thinner than {} largest diameters is too thin to represent a large packing: its points are "
-      "drawn "
-      "with open symbols and are not used for any statement.\n\n",
+      "drawn with open symbols and are not used for any statement.\n\n",
       least_thickness);
   for (const std::string& remark : study.remarks) text += remark + ".\n\n";
   text += statements_table(study);
