@@ -1,7 +1,6 @@
 #include "engine/compaction.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/base/numbers.h"
 #include "engine/base/require.h"

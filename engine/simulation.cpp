@@ -25,15 +25,6 @@ Vec3<double> wide(const Vec3<Real>& v) {
   return {double(v.x), double(v.y), double(v.z)};
 }
 
-bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t count) {
-  std::vector<bool> named(count);
-  for (std::uint32_t k : order) {
-    if (k >= count || named[k]) return false;
-    named[k] = true;
-  }
-  return order.size() == count;
-}
-
 template <class Numerics>
 class SimulationOf final : public Simulation {
  public:
@@ -136,7 +127,6 @@ void SimulationOf<Numerics>::take_particles(const Packing& p) {
   state_.ledger = p.ledger;
   labels_ = p.labels;
   state_.id = p.order.empty() ? memory_order(p) : p.order;
-  require(is_permutation(state_.id, count_), "the order names every particle once");
   state_.particles.reserve(count_);
   state_.loads.reserve(count_);
   state_.mass.reserve(count_);
@@ -212,9 +202,6 @@ void SimulationOf<Numerics>::restore_contacts(const Packing& p) {
   for (std::uint32_t n = 0; n < count_; ++n) place[state_.id[n]] = n;
   const PairList& list = state_.pairs;
   for (const Contact& c : p.contacts) {
-    if (c.i >= count_ || c.j >= count_)
-      throw InputError("a contact is of particle " + std::to_string(std::max(c.i, c.j) + 1) +
-                       ", and there are " + std::to_string(count_) + " particles");
     std::uint32_t i = place[c.i];
     std::uint32_t j = place[c.j];
     auto image = c.image;
@@ -342,7 +329,7 @@ Packing SimulationOf<Numerics>::packing() const {
 }  // namespace
 
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads,
-                                            Execution execution) {
+                                            Execution execution) try {
   return std::visit(
       [&](const auto& law) -> std::unique_ptr<Simulation> {
         using Law = std::decay_t<decltype(law)>;
@@ -351,6 +338,8 @@ std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& p
         return std::make_unique<SimulationOf<Numerics<Law, double>>>(model, packing, threads, execution);
       },
       model.law);
+} catch (const NumericalFailure& error) {
+  throw InputError(std::string("the packing cannot be simulated: ") + error.what());
 }
 
 int threads_for(std::size_t particles) {

@@ -39,7 +39,8 @@ class Simulation {
   /// Replaces the packing by another one. A packing with an `order` continues with its forces and histories.
   /// A packing without an order is a start: its particles are sorted, and its forces are computed from the
   /// positions, without history. In both cases a neighbour list is built, which takes as long as about ten
-  /// steps. Throws InputError for a packing that is not valid.
+  /// steps. Throws InputError for a packing that is not valid, and NumericalFailure for a collapsed cell;
+  /// after that the packing can be read, but not advanced.
   virtual void load(const Packing& packing) = 0;
 
   /// Sets the velocities [d_s/time] and spins [1/time] of all particles, in order of id, and the strain rate
@@ -72,8 +73,8 @@ enum class Execution {
   as_graph
 };
 
-/// A simulation of `model` that starts from `packing`. Throws InputError with the ids of
-/// particles that are not finite, have no size, or share a centre.
+/// A simulation of `model` that starts from `packing`. Throws InputError for a packing that is not valid
+/// (engine/state/validate.h), and for a cell so thin that spheres touch across thirty cells.
 std::unique_ptr<Simulation> make_simulation(const Model& model, const Packing& packing, int threads = 1,
                                             Execution execution = Execution::automatic);
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <charconv>
 #include <cstring>
 #include <vector>
 
@@ -19,11 +19,16 @@ std::string to_text(const FileMark& mark) { return fmt::format("{} bytes {:016x}
 
 FileMark parse_mark(const std::string& text) {
   FileMark mark;
-  int length = 0;
-  const int found = std::sscanf(text.c_str(), "%lu bytes %16lx%n", &mark.bytes, &mark.hash, &length);
-  if (found != 2 || static_cast<std::size_t>(length) != text.size())
-    throw InputError("\"" + text + "\" is not the length and hash of a file");
-  return mark;
+  constexpr std::string_view between = " bytes ";
+  const char* const end = text.data() + text.size();
+  const auto bytes = std::from_chars(text.data(), end, mark.bytes);
+  if (bytes.ec == std::errc{} && std::string_view(bytes.ptr, end).starts_with(between)) {
+    const auto hash = std::from_chars(bytes.ptr + between.size(), end, mark.hash, 16);
+    constexpr std::ptrdiff_t digits = 16;
+    if (hash.ec == std::errc{} && hash.ptr == end && end - bytes.ptr == std::ssize(between) + digits)
+      return mark;
+  }
+  throw InputError("\"" + text + "\" is not the length and hash of a file");
 }
 
 AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)) {

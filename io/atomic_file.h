@@ -53,8 +53,8 @@ class AtomicFile {
 /// Writes a whole file at once, complete or not at all.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws InputError if there is a file of this name: the program overwrites no file that may be the user's
-/// own.
+/// Throws InputError if there is a file of this name. Called for files whose name the user did not give, and
+/// for case files, which a user may have edited; other outputs replace a file of their name.
 void refuse_existing(const std::filesystem::path& path);
 
 }  // namespace furnas

@@ -69,11 +69,10 @@ struct Case {
     double kinetic_energy = 1e-11;   ///< per particle [k_n d_s^2]
     double strain_drift = 1e-6;      ///< largest strain of the cell in 2000 t_c
     double window = 200;             ///< time over which all these limits must be met [t_c]
-    double stilling =
-        100;  ///< all motion is set to zero within this factor of the limits of force balance and drift,
-    double stilling_energy = 1e4;  ///< and within this factor of the limit of kinetic energy,
-    double growth = 1.15;  ///< unless the kinetic energy grows by more than this factor in half a window
-    double phi_error = 0;  ///< ends the run as settled once phi can change by less; 0: never
+    double stilling = 100;  ///< all motion is set to zero when balance and drift are this near their limits
+    double stilling_energy = 1e4;  ///< and the kinetic energy is this near its limit, or the forces balance;
+    double growth = 1.15;          ///< not while the kinetic energy grows by more than this in half a window
+    double phi_error = 0;          ///< ends the run as settled once phi can change by less; 0: never
     std::int64_t final_quenches = 0;  ///< how often all motion is set to zero at rest, before the verdict
     bool minimizer = true;            ///< without friction, ends the compaction by minimizing the enthalpy
     std::int64_t steps = 10'000'000;  ///< the cap on the steps of the run

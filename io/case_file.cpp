@@ -189,10 +189,7 @@ toml::table parse_value(const Key& key, const std::string& text) {
 /// counts.
 void give_up_rival(const Key& key, Case& c) {
   if (key.rival.empty()) return;
-  const Key& rival = *find_key(key.table, key.rival);
-  Case defaults;
-  const auto reset = [&](auto* field) { *field = *std::get<decltype(field)>(rival.field(defaults)); };
-  std::visit(reset, rival.field(c));
+  reset(*find_key(key.table, key.rival), c);
 }
 
 /// False for the unused one of two rivals, which set the same quantity in different units. The rival without

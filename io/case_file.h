@@ -15,8 +15,8 @@ namespace furnas {
 Case parse_case(std::string_view toml, const std::string& name, std::span<const std::string> overrides = {});
 
 /// Reads the case in a case file. Refuses a file with a sweep, which describes many cases (see
-/// io/sweep_file.h). A relative start.file is relative to the folder of the case file, or to the current
-/// directory if an override gives it; the returned case has the absolute path.
+/// io/sweep_file.h). A relative start.file or mixture.diameters is relative to the folder of the case file,
+/// or to the current directory if an override gives it; the returned case has the absolute path.
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 /// Sets one key, e.g. "contact.friction=0.3", "compaction.pressure=[1e-3, 1e-4]" or

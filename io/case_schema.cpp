@@ -282,4 +282,9 @@ const Key* find_key(std::string_view path) {
   return nullptr;
 }
 
+void reset(const Key& key, Case& c) {
+  Case defaults;
+  std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
+}
+
 }  // namespace furnas

@@ -61,4 +61,7 @@ bool changes_no_bit(const Key& key);
 const Key* find_key(std::string_view table, std::string_view name);
 const Key* find_key(std::string_view path);
 
+/// Sets a key to its default.
+void reset(const Key& key, Case& c);
+
 }  // namespace furnas

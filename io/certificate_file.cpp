@@ -27,8 +27,8 @@ std::string failed_parts(const Certificate& c) {
 }
 
 /// What all parts together prove, and what they do not prove.
-std::string conclusion(const Certificate& c, const CertificateTerms& terms) {
-  if (!c.passed() && !terms.histories)
+std::string conclusion(const Certificate& c, const CertifiedPacking& of) {
+  if (!c.passed() && !of.histories)
     return fmt::format(
         "Not certified: {} failed. The file has no tangential histories, so the tangential forces are taken "
         "to be zero. With friction, such forces cannot balance, so this result says nothing about the "
@@ -72,7 +72,7 @@ Json json_of(const Part& part) {
   return json;
 }
 
-Json json_of(const Certificate& c, const CertificateTerms& terms, const std::string& of) {
+Json json_of(const Certificate& c, const CertificateTerms& terms, const CertifiedPacking& of) {
   Json parts = Json::array();
   for (const Part& part : c.parts) parts.push_back(json_of(part));
   Json failed = Json::array();
@@ -80,8 +80,8 @@ Json json_of(const Certificate& c, const CertificateTerms& terms, const std::str
     if (!part.passed()) failed.push_back(part.name);
   Json eigenvalues = Json::array();
   for (const double x : c.eigenvalues) eigenvalues.push_back(x);
-  return {{"of", of},
-          {"conclusion", conclusion(c, terms)},
+  return {{"of", of.name},
+          {"conclusion", conclusion(c, of)},
           {"passed", c.passed()},
           {"failed", failed},
           {"force_balance", to_string(c.balance)},
@@ -113,15 +113,16 @@ std::string line_of(const Finding& f) {
 
 }  // namespace
 
-std::string certificate_text(const Certificate& c, const CertificateTerms& terms, const std::string& of) {
-  std::string text = fmt::format("Certificate of {}\n\n{}\n\n", of, conclusion(c, terms));
+std::string certificate_text(const Certificate& c, const CertificateTerms& terms,
+                             const CertifiedPacking& of) {
+  std::string text = fmt::format("Certificate of {}\n\n{}\n\n", of.name, conclusion(c, of));
   text += fmt::format(
       "{} particles, {} of them in the backbone with {} contacts ({}); by the rule of a run (live contacts "
       "only) {}.\n",
       c.particles, c.backbone, c.contacts, rule, c.live_backbone);
   text += fmt::format("Friction {:g}, p_a {:g}. ", terms.springs.friction(), terms.cell.pressure);
   text +=
-      terms.histories
+      of.histories
           ? fmt::format(
                 "Recomputed from positions, radii, masses, cell and tangential histories, without forces and "
                 "velocities; the run's list lacks {} contacts and has {} that are open.\n\n",
@@ -139,8 +140,8 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
   return text;
 }
 
-void write_certificate(const Certificate& certificate, const CertificateTerms& terms, const std::string& of,
-                       const std::filesystem::path& folder) {
+void write_certificate(const Certificate& certificate, const CertificateTerms& terms,
+                       const CertifiedPacking& of, const std::filesystem::path& folder) {
   write_file(folder / "certificate.json", json_text(json_of(certificate, terms, of)));
   write_file(folder / "certificate.txt", certificate_text(certificate, terms, of));
 }

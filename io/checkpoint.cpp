@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <sstream>
 
@@ -240,6 +239,14 @@ void check(const Packing& p, const std::filesystem::path& path) {
   check_packing(p, path);
 }
 
+/// Writes a view of a checkpoint with the labels of its packing among the extras. The arrays are not copied.
+template <class View>
+void write_labelled(View view, const std::filesystem::path& path) {
+  Saver saver(path);
+  view.extras.merge(to_extras(view.packing.labels));
+  exchange(saver, view);
+}
+
 }  // namespace
 
 bool is_checkpoint(const std::filesystem::path& path) {
@@ -250,17 +257,11 @@ bool is_checkpoint(const std::filesystem::path& path) {
 }
 
 void write_checkpoint(const CheckpointView& checkpoint, const std::filesystem::path& path) {
-  Saver saver(path);
-  CheckpointView labelled = checkpoint;
-  labelled.extras.merge(to_extras(checkpoint.packing.labels));
-  exchange(saver, labelled);
+  write_labelled(checkpoint, path);
 }
 
 void write_checkpoint(const ReplicaCheckpoint& checkpoint, const std::filesystem::path& path) {
-  Saver saver(path);
-  ReplicaCheckpoint labelled = checkpoint;
-  labelled.extras.merge(to_extras(checkpoint.packing.labels));
-  exchange(saver, labelled);
+  write_labelled(checkpoint, path);
 }
 
 std::int64_t checkpoint_step(const std::filesystem::path& path) {

@@ -24,7 +24,12 @@ template <class Visit>
 void each_file(const fs::path& folder, Visit&& visit) {
   const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
   if (!directory) throw fs::filesystem_error("cannot list", folder, {errno, std::generic_category()});
-  while (const dirent* entry = ::readdir(directory.get())) {
+  for (;;) {
+    errno = 0;  // readdir returns null at the end and on an error
+    const dirent* const entry = ::readdir(directory.get());
+    if (!entry && errno != 0)
+      throw fs::filesystem_error("cannot list", folder, {errno, std::generic_category()});
+    if (!entry) return;
     const std::string name = entry->d_name;
     if (name == "." || name == "..") continue;
     const fs::path path = folder / name;

@@ -20,8 +20,6 @@ namespace {
 
 bool above_zero(double value) { return std::isfinite(value) && value > 0; }
 
-constexpr double most_tilt = 1e6;  // in edges; beyond it images of particles cannot be counted
-
 bool spans_a_cell(const Triangle& h) {
   return finite(h) && h.xx > 0 && h.yy > 0 && h.zz > 0 && above_zero(h.determinant());
 }

@@ -32,6 +32,11 @@ std::optional<double> Result::phi_J() const {
   return measures.phi;
 }
 
+std::optional<double> Result::pace() const {
+  if (!(wall_seconds > 0)) return {};
+  return static_cast<double>(steps_here) * static_cast<double>(large + small) / wall_seconds / 1e6;
+}
+
 const char* remark_on_thickness(double diameters) {
   return diameters < least_thickness ? ": too thin to represent a large packing" : "";
 }

@@ -43,6 +43,9 @@ struct Result {
   /// a few diameters says little about a large packing.
   double thickness() const;
 
+  /// Millions of particle-steps that this process made in a second; nothing if no time has passed.
+  std::optional<double> pace() const;
+
   /// Whether large and small spheres can be told apart. They cannot where spheres of many sizes form one
   /// species.
   bool has_species() const { return !polydisperse || (large > 0 && small > 0); }

@@ -46,8 +46,8 @@ Json resting_states(const Result& r, const Case&) {
 }
 
 Json pace(const Result& r, const Case&) {
-  if (!(r.wall_seconds > 0)) return nullptr;
-  return static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) / r.wall_seconds / 1e6;
+  const std::optional<double> pace = r.pace();
+  return pace ? Json(*pace) : Json(nullptr);
 }
 
 #define FURNAS_FIELD(expression) \

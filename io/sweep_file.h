@@ -36,8 +36,8 @@ bool holds_sweep(const std::filesystem::path& file);
 
 /// Reads a case file that has a sweep in it, with the assignments of `overrides` applied to its case. Every
 /// key of a grid is a key of the case in quotes, with one value or a list of values; `samples` is the number
-/// of seeds. A start.file of a grid is relative to the folder of the case file, too. Throws as read_case
-/// does.
+/// of seeds. A start.file or mixture.diameters of a grid is relative to the folder of the case file, too.
+/// Throws as read_case does.
 SweepFile read_sweep(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 /// A case without a sweep, as a sweep of a single point for which several seeds may be requested. Throws as

@@ -40,6 +40,7 @@ void write_voxels(const VoxelPlan& plan, const std::filesystem::path& header) {
   if (header.extension() != ".mhd")
     throw InputError(header.string() + ": voxels are a MetaImage; allowed: a name that ends with .mhd");
   const std::filesystem::path data = std::filesystem::path(header).replace_extension(".raw");
+  if (!std::filesystem::exists(header)) refuse_existing(data);
   std::vector<std::uint8_t> plane(static_cast<std::size_t>(plan.grid.in_a_plane()));
   SolidPlanes planes(plan.solid, plan.grid);
   AtomicFile file(data);

@@ -24,6 +24,7 @@
 #include "viz/palette.h"
 #include "viz/picture_key.h"
 #include "viz/scene.h"
+#include "viz/visible.h"
 
 namespace furnas {
 namespace {
@@ -202,8 +203,8 @@ Pixels render(const Packing& packing, const PictureOptions& options) {
   if (strip == 0 || 2 * strip > options.height) return render_packing(packing, options);
   PictureOptions above = options;
   above.height -= strip;
-  const Pixels drawn = render_packing(packing, above);
   Pixels picture = drawn_key(legend_of(packing, options), options.width);
+  const Pixels drawn = render_packing(packing, above);
   if (options.transparent) take_out_white(picture);
   picture.height = options.height;
   picture.rgba.insert(picture.rgba.end(), drawn.rgba.begin(), drawn.rgba.end());

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/state/packing.h"
-#include "viz/view.h"
 
 namespace furnas {
 
@@ -31,10 +30,5 @@ struct Slice {
 /// particle.
 std::vector<Sphere> spheres_of(const Packing& packing, const std::vector<Rgb>& colours,
                                const std::array<int, 3>& times, const std::optional<Slice>& slice);
-
-/// The spheres that are visible if all are opaque, in a frame of width x height pixels. In a packing of many
-/// millions nearly all spheres are hidden. The result may contain hidden spheres, but contains every sphere
-/// that is visible in a pixel.
-std::vector<Sphere> visible(const std::vector<Sphere>& spheres, const View& view, int width, int height);
 
 }  // namespace furnas

@@ -1,8 +1,8 @@
+#include "viz/visible.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "viz/spheres.h"
 
 namespace furnas {
 namespace {

@@ -23,7 +23,7 @@ struct Census {
   double volume{};  ///< of the spheres [d_s^3]
   Sizes sizes;      ///< of the spheres
   std::array<double, 2>
-      lightest{};  ///< masses of the two lightest spheres; of a single sphere twice its mass [rho d_s^3]
+      lightest{};  ///< masses of the two lightest spheres; a single sphere counts as two [rho d_s^3]
   std::array<double, 2> density{};  ///< least and largest [rho]
   bool polydisperse{};              ///< one species of many sizes
 };

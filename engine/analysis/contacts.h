@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "engine/state/packing.h"

@@ -88,6 +88,9 @@ class Helper {
 /// Work begins in an arena of one thread. The helpers run in an arena of their own, so that no thread waits
 /// for a task that only a helper could run.
 struct Workers::Arena {
+  explicit Arena(int wanted) : threads(wanted), helpers(std::max(wanted - 1, 1), 0) {
+    require(wanted >= 1, "a thread is needed to work");
+  }
   int threads;
   tbb::task_arena leader{1};
   tbb::task_arena helpers;
@@ -95,9 +98,7 @@ struct Workers::Arena {
 
 // oneTBB copies the floating-point settings of the thread that initializes an arena to all threads that work
 // in the arena.
-Workers::Workers(int threads)
-    : arena_(new Arena{threads, tbb::task_arena(1), tbb::task_arena(std::max(threads - 1, 1), 0)}) {
-  require(threads >= 1, "a thread is needed to work");
+Workers::Workers(int threads) : arena_(new Arena(threads)) {
   const Arithmetic arithmetic;
   arena_->leader.initialize();
   if (threads > 1) arena_->helpers.initialize();

@@ -10,6 +10,7 @@
 #include "engine/certificate/modes.h"
 #include "engine/certificate/moduli.h"
 #include "engine/certificate/statics.h"
+#include "engine/state/validate.h"
 
 namespace furnas {
 namespace {
@@ -254,6 +255,7 @@ const char* to_string(Balance balance) {
 }
 
 Certificate certify(const Packing& packing, const CertificateTerms& terms) {
+  validate(packing);
   const ContactNetwork network = contact_network(packing, terms.springs);
   const CoreRule rule = core_rule(terms.springs);
   const Backbone backbone = find_backbone(network, packing.species, rule);

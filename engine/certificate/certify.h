@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "engine/certificate/contact_network.h"
@@ -24,7 +24,6 @@ struct CertificateTerms {
   double stress_error = 1e-3;      ///< |P - p_a|/p_a of each component that can strain the cell
   double cone_excess = 1e-2;       ///< (|F_t| - mu F_n)/(mu mean F_n) of any one contact
   int eigenvalues = 6;             ///< number of the lowest eigenvalues to report
-  bool histories = true;           ///< the packing has the tangential displacements of its contacts
 };
 
 /// Quality of the force balance.
@@ -57,7 +56,8 @@ struct Certificate {
 
 /// Tests whether a packing is jammed, from its positions, radii, masses, cell and tangential histories. The
 /// test reads no force, velocity or sum of the run, and shares no code with the run's search and step. From
-/// the law it takes the spring force, stiffness and damping of a contact (docs/theory/certificate.md).
+/// the law it takes the spring force, stiffness and damping of a contact (docs/theory/certificate.md). Throws
+/// InputError for a packing that is not valid (engine/state/validate.h).
 Certificate certify(const Packing& packing, const CertificateTerms& terms);
 
 }  // namespace furnas

@@ -9,8 +9,8 @@
 
 namespace furnas {
 
-/// The springs of contacts at rest. The spring force, stiffness and damping of a contact
-/// are those of the law; the overlaps and the friction at the limit are computed here.
+/// The springs of contacts at rest. The spring force, stiffness and damping of a contact are those of the
+/// law; the overlaps and the friction at the limit are computed here.
 struct Springs {
   AnyLaw law = Frictionless<false>{};
   double at_limit = 1e-3;  ///< a contact slides when |F_t| reaches (1 - at_limit) mu F_n

@@ -4,6 +4,7 @@
 #include <Eigen/UmfPackSupport>
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
 #include <type_traits>
 
@@ -32,7 +33,7 @@ Eigen::SparseMatrix<Number> at(const SmallMotion& motion, Number lambda) {
   return sum;
 }
 
-/// Factors L U of this matrix, by UMFPACK.
+/// Factors L U of this matrix, by UMFPACK. Throws std::bad_alloc.
 template <class Number>
 class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
  public:
@@ -40,7 +41,10 @@ class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
 
   Factor(const SmallMotion& motion, Number lambda) : matrix_(at(motion, lambda)) {
     this->umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // of the pattern
-    this->compute(matrix_);
+    this->analyzePattern(matrix_);
+    check_memory();
+    this->factorize(matrix_);
+    check_memory();
   }
   bool valid() const { return this->info() == Eigen::Success; }
   Vector solve(const Vector& b) const { return solved(UMFPACK_A, b); }
@@ -48,11 +52,15 @@ class Factor : private Eigen::UmfPackLU<Eigen::SparseMatrix<Number>> {
   Vector solve_adjoint(const Vector& b) const { return solved(UMFPACK_At, b); }
 
  private:
+  void check_memory() const {
+    if (this->m_umfpackInfo[UMFPACK_STATUS] == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+  }
   Vector solved(int system, const Vector& b) const {
     Vector x(b.size());
     Eigen::umfpack_solve(system, matrix_.outerIndexPtr(), matrix_.innerIndexPtr(), matrix_.valuePtr(),
                          x.data(), b.data(), this->m_numeric, this->m_control.data(),
                          this->m_umfpackInfo.data());
+    check_memory();
     return x;
   }
   Eigen::SparseMatrix<Number> matrix_;
@@ -97,6 +105,22 @@ VectorXd random_motion(Index size, std::uint64_t seed) {
   return v;
 }
 
+/// No eigenvalue is larger than this. In coordinates in which M is 1, lambda^2 z = -(lambda C + K) z,
+/// therefore |lambda|^2 <= |lambda| |C| + |K| in any norm of matrices; here the largest sum of a row.
+double largest_eigenvalue(const SmallMotion& motion) {
+  const VectorXd faster = motion.inertia().cwiseSqrt().cwiseInverse();
+  const auto largest_row = [&](const auto& matrix) {
+    VectorXd sums = VectorXd::Zero(motion.unknowns());
+    const Eigen::SparseMatrix<double> scaled = faster.asDiagonal() * matrix * faster.asDiagonal();
+    for (Index k = 0; k < scaled.outerSize(); ++k)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(scaled, k); entry; ++entry)
+        sums[entry.row()] += std::abs(entry.value());
+    return sums.maxCoeff();
+  };
+  const double c = largest_row(motion.damping()), k = largest_row(motion.stiffness());
+  return c / 2 + std::sqrt(c * c / 4 + k);
+}
+
 struct Ritz {
   Complex lambda;
   double error;  // of lambda
@@ -129,6 +153,7 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
     }
     basis.col(k + 1) = next / h(k + 1, k);
   }
+  const double largest = 1.01 * largest_eigenvalue(motion);
   const Eigen::EigenSolver<MatrixXd> spectrum(h.topLeftCorner(count, count));
   valid = spectrum.info() == Eigen::Success;
   if (!valid) return {};
@@ -137,6 +162,7 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
     const Complex theta = spectrum.eigenvalues()[k];
     const Complex lambda = sigma + 1.0 / theta;
     if (!(lambda.real() > above) || lambda.imag() < 0) continue;
+    if (std::abs(lambda) > largest) continue;  // a theta that is 0 but for rounding
     const VectorXcd s = spectrum.eigenvectors().col(k).normalized();
     const double error = std::abs(h(count, count - 1) * s[count - 1]) / std::norm(theta);
     found.push_back({lambda, error, apply.displacements(basis.leftCols(count) * s)});
@@ -167,67 +193,79 @@ std::vector<Ritz> dense(const SmallMotion& motion, double above, bool& valid) {
   return found;
 }
 
-/// Refines an eigenvalue and its left and right eigenvectors by inverse iteration, with the eigenvalue itself
-/// as the shift. Then computes the doubt of the eigenvalue. False if this fails or leads to a motion that
-/// dies out.
+/// What became of a growing motion when its eigenvalue was refined.
+enum class Refined { exact, dies_out, failed };
+
 template <class Number>
-bool refine(const SmallMotion& motion, GrowingMode& mode) {
-  using Vector = typename Factor<Number>::Vector;
-  const auto narrow = [](const auto& x) {
-    if constexpr (std::is_same_v<Number, double>)
-      return x.real().eval();
-    else
-      return x;
-  };
-  const auto number = [](Complex x) {
-    if constexpr (std::is_same_v<Number, double>)
-      return x.real();
-    else
-      return x;
-  };
-  Number lambda = number(mode.lambda);
-  Vector right = narrow(mode.motion).normalized();
+using VectorOf = typename Factor<Number>::Vector;
+
+/// A motion z in the equations: lambda^2 M z + lambda C z + K z.
+template <class Number>
+struct Equations {
+  VectorOf<Number> inertial, damped, stiff;  ///< M z, C z, K z
+
+  Equations(const SmallMotion& motion, const VectorOf<Number>& z)
+      : inertial(motion.inertia().cwiseProduct(z)),
+        damped(motion.damping() * z),
+        stiff(motion.stiffness() * z) {}
+  VectorOf<Number> left_over(Number lambda) const {
+    return lambda * lambda * inertial + lambda * damped + stiff;
+  }
+  VectorOf<Number> slope(Number lambda) const { return 2.0 * lambda * inertial + damped; }
+};
+
+/// Two steps of inverse iteration for the right and the left eigenvector of lambda. False if the matrix
+/// cannot be factored.
+template <class Number>
+bool iterate(const SmallMotion& motion, Number lambda, VectorOf<Number>& right, VectorOf<Number>& left) {
+  // The shift is slightly beside the eigenvalue, so that the factorization exists.
+  const Factor<Number> factor(motion, lambda * (1 + 1e-7));
+  if (!factor.valid()) return false;
+  for (int twice = 0; twice < 2; ++twice) {
+    right = factor.solve(2.0 * lambda * motion.inertia().cwiseProduct(right) + motion.damping() * right);
+    left = factor.solve_adjoint(2.0 * Eigen::numext::conj(lambda) * motion.inertia().cwiseProduct(left) +
+                                motion.damping().transpose() * left);
+    // Translations of the whole packing are eigenvectors of 0. Eigenvectors of any other lambda contain no
+    // translation.
+    motion.hold_centre(right);
+    motion.hold_centre(left);
+    right.normalize();
+    left.normalize();
+  }
+  return true;
+}
+
+/// Refines an eigenvalue and its left and right eigenvectors by inverse iteration, with the eigenvalue itself
+/// as the shift. Then computes the doubt of the eigenvalue.
+template <class Number>
+Refined refine(const SmallMotion& motion, GrowingMode& mode) {
+  using Vector = VectorOf<Number>;
+  Number lambda;
+  Vector right;
+  if constexpr (std::is_same_v<Number, double>)
+    lambda = mode.lambda.real(), right = mode.motion.real().normalized();
+  else
+    lambda = mode.lambda, right = mode.motion.normalized();
   Vector left = right;
-  constexpr int most = 6;
+  constexpr int most = 12;  // a Ritz value far from any eigenvalue needs some rounds to reach one
   for (int round = 0; round < most; ++round) {
-    // The shift is slightly beside the eigenvalue, so that the factorization exists.
-    const Factor<Number> factor(motion, lambda * (1 + 1e-7));
-    if (!factor.valid()) return false;
-    const auto slope = [&](const Vector& v) -> Vector {
-      return 2.0 * lambda * motion.inertia().cwiseProduct(v) + motion.damping() * v;
-    };
-    const auto slope_adjoint = [&](const Vector& v) -> Vector {
-      return 2.0 * Eigen::numext::conj(lambda) * motion.inertia().cwiseProduct(v) +
-             motion.damping().transpose() * v;
-    };
-    for (int twice = 0; twice < 2; ++twice) {
-      right = factor.solve(slope(right));
-      left = factor.solve_adjoint(slope_adjoint(left));
-      // Translations of the whole packing are eigenvectors of 0. Eigenvectors of any other lambda contain no
-      // translation.
-      motion.hold_centre(right);
-      motion.hold_centre(left);
-      right.normalize();
-      left.normalize();
-    }
+    if (!iterate(motion, lambda, right, left)) return Refined::failed;
     const Number before = lambda;
-    const Vector k = motion.stiffness() * right;
-    const Vector c = motion.damping() * right;
-    const Vector m = motion.inertia().cwiseProduct(right);
+    const Equations<Number> equations(motion, right);
     for (int step = 0; step < 5; ++step)
-      lambda -=
-          left.dot(Vector(lambda * lambda * m + lambda * c + k)) / left.dot(Vector(2.0 * lambda * m + c));
-    mode.residual = (lambda * lambda * m + lambda * c + k).norm();
-    if (round > 0 && std::real(lambda) < 0) return false;  // the motion dies out
-    if (std::abs(lambda - before) > 1e-9 * std::abs(lambda)) continue;
+      lambda -= left.dot(equations.left_over(lambda)) / left.dot(equations.slope(lambda));
+    if (round > 0 && std::real(lambda) < 0) return Refined::dies_out;
+    // Rounding moves a small lambda by more than 1e-9 of itself, but by far less than its doubt.
+    const double sensitivity = 1 / std::abs(left.dot(equations.slope(lambda)));  // d lambda/d stiffness
+    const double rounding = flat_mode * sensitivity;
+    if (std::abs(lambda - before) > std::max(1e-9 * std::abs(lambda), 1e-3 * rounding)) continue;
     mode.lambda = lambda;
     mode.motion = right.template cast<Complex>();
-    const double flat = flat_mode;  // a stiffness of 0 after rounding
-    mode.doubt = (motion.doubt(left.template cast<Complex>(), mode.motion) + flat) /
-                 std::abs(left.dot(Vector(2.0 * lambda * m + c)));
-    return std::isfinite(mode.doubt);
+    mode.residual = equations.left_over(lambda).norm();
+    mode.doubt = motion.doubt(left.template cast<Complex>(), mode.motion) * sensitivity + rounding;
+    return std::isfinite(mode.doubt) ? Refined::exact : Refined::failed;
   }
-  return false;
+  return Refined::failed;
 }
 
 /// Makes a mode of growth without oscillation consistent with Coulomb's law. Lets each contact at the limit
@@ -245,7 +283,7 @@ std::optional<GrowingMode> as_contacts_go(const SmallMotion& motion, const Growi
     signs = loading.array().sign();
     now = now.sliding_where(loading);
     found.motion = z.cast<Complex>();
-    if (!refine<double>(now, found) || !found.grows()) return {};
+    if (refine<double>(now, found) != Refined::exact || !found.grows()) return {};
     const VectorXd next = found.motion.real();
     z = next.dot(motion.inertia().cwiseProduct(z)) < 0 ? -next : next;
   }
@@ -289,8 +327,10 @@ Growth find_growth(const SmallMotion& motion) {
     // over.
     if (r.lambda.imag() != 0 && motion.slides() && growth.fastest()) continue;
     GrowingMode mode{.lambda = r.lambda, .motion = r.motion};
-    const bool exact = r.lambda.imag() == 0 ? refine<double>(motion, mode) : refine<Complex>(motion, mode);
-    if (!exact || !(mode.rate() > least_rate)) continue;
+    const Refined refined =
+        r.lambda.imag() == 0 ? refine<double>(motion, mode) : refine<Complex>(motion, mode);
+    if (refined == Refined::failed) growth.valid = false;
+    if (refined != Refined::exact || !(mode.rate() > least_rate)) continue;
     if (mode.grows() && !motion.slides()) growth.certain = mode;
     if (mode.grows() && mode.lambda.imag() == 0)
       for (const double way : {1.0, -1.0})

@@ -28,7 +28,7 @@ inline constexpr Eigen::Index most_unknowns = 50'000;
 /// The growing motions that were found.
 struct Growth {
   bool asked{};                    ///< the search was made: there were not too many unknowns
-  bool valid{};                    ///< the equations of motion could be solved
+  bool valid{};                    ///< the equations of motion were solved, and every eigenvalue refined
   std::vector<GrowingMode> modes;  ///< the fastest, if contacts could slide both ways; at most 12
   /// A growing mode that is consistent: each contact at the Coulomb limit slides or sticks as the motion of
   /// the mode itself requires.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <variant>
 
 #include "engine/base/sphere.h"
 #include "engine/certificate/modes.h"

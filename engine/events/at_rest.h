@@ -24,7 +24,8 @@ struct RestCriteria {
   /// All motion is taken out (engine/events/quench.h) when balance and drift are within this multiple of
   /// their limits.
   double stilling = 100;
-  /// For this the energy must also be within this multiple of its limit.
+  /// Further condition: the energy is within this multiple of its limit, or stress and balance are within
+  /// theirs.
   double stilling_energy = 1e4;
   /// No motion is taken out if the backbone's energy grows by more than this factor in half a window.
   double growth = 1.15;

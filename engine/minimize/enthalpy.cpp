@@ -1,7 +1,6 @@
 #include "engine/minimize/enthalpy.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
@@ -133,7 +132,7 @@ void Enthalpy::look(const Shift& shift, Point& point) {
 Shift Enthalpy::softness() const {
   Shift soft(particles());
   std::vector<double> stiffness(list_.rows());
-  const Triangle total = std::visit(
+  const Triangle against_strain = std::visit(
       [&](const auto& law) {
         return ordered_sum<Triangle>(particles(), chunk, [&](std::size_t begin, std::size_t end) {
           Triangle piece;
@@ -166,10 +165,10 @@ Shift Enthalpy::softness() const {
     }
   });
   const auto softer = [](double sum) { return sum > 0 ? 1 / sum : 1; };
-  const Triangle& s = total;
-  soft.strain = {softer(s.xx), softer(s.yy), softer(s.zz), softer(s.yz), softer(s.xz), softer(s.xy)};
+  soft.strain = {softer(against_strain.xx), softer(against_strain.yy), softer(against_strain.zz),
+                 softer(against_strain.yz), softer(against_strain.xz), softer(against_strain.xy)};
   if (bath_.freedom == CellFreedom::cubic)
-    soft.strain.xx = soft.strain.yy = soft.strain.zz = softer(s.trace());
+    soft.strain.xx = soft.strain.yy = soft.strain.zz = softer(against_strain.trace());
   return soft;
 }
 

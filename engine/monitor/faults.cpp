@@ -1,8 +1,5 @@
 #include "engine/monitor/faults.h"
 
-#include <cmath>
-#include <vector>
-
 #include "engine/monitor/stability.h"
 #include "engine/state/validate.h"
 

@@ -18,6 +18,33 @@ constexpr double reference_fraction = 0.64;  // of a dense packing
 
 }  // namespace
 
+void validate(const Protocol& p) {
+  const auto refuse = [](const std::string& name, double value, const char* allowed) {
+    throw InputError("protocol: " + name + " is " + std::to_string(value) + "; allowed: finite and " +
+                     allowed);
+  };
+  const auto above_zero = [&](const std::string& name, double value) {
+    if (!(std::isfinite(value) && value > 0)) refuse(name, value, "above 0");
+  };
+  const auto not_negative = [&](const std::string& name, double value) {
+    if (!(std::isfinite(value) && value >= 0)) refuse(name, value, "at least 0");
+  };
+  if (p.pressures.empty()) throw InputError("a protocol needs at least one pressure");
+  for (const double pressure : p.pressures) above_zero("a pressure", pressure);
+  above_zero("inertia", p.inertia);
+  above_zero("inertia_absolute", p.inertia_absolute.value_or(1));
+  above_zero("time_step", p.time_step.value_or(1));
+  above_zero("time_step_absolute", p.time_step_absolute.value_or(1));
+  not_negative("skin", p.skin.value_or(0));
+  above_zero("rest.window", p.rest.window);
+  not_negative("cell_damping", p.cell_damping);
+  not_negative("drag", p.drag.value_or(0));
+  not_negative("contact.friction", p.contact.friction);
+  not_negative("contact.tangential_stiffness", p.contact.tangential_stiffness);
+  not_negative("contact.normal_damping", p.contact.normal_damping);
+  not_negative("contact.tangential_damping", p.contact.tangential_damping);
+}
+
 AnyLaw law_of(const Protocol& p) {
   const bool legacy = p.law == HookeHistory::name;
   if (!legacy && p.law != HookeSynchronized::name)
@@ -92,7 +119,7 @@ double cell_inertia(double beta, double mass, double sphere_volume) {
 }
 
 std::vector<Barostat> baths_of(const Protocol& p, const Packing& start) {
-  if (p.pressures.empty()) throw InputError("a protocol needs at least one pressure");
+  validate(p);
   const double mass = std::accumulate(start.mass.begin(), start.mass.end(), 0.0);
   // Uses the rounded radii of the simulation, because a run resumed from a checkpoint knows no others.
   double cubes = 0;

@@ -37,6 +37,10 @@ struct Protocol {
   std::optional<double> skin{};  ///< of the neighbour list; chosen by the program if absent [d_s]
 };
 
+/// Throws InputError with name and value of a number that cannot be used. The ranges are wider than those of
+/// a case file: this refuses only what has no meaning, as a pressure of 0.
+void validate(const Protocol& protocol);
+
 /// The contact law with its constants. Throws InputError if no law has this name.
 AnyLaw law_of(const Protocol& protocol);
 
@@ -87,11 +91,12 @@ double dense_thickness(double sphere_volume);
 double cell_inertia(double beta, double mass, double sphere_volume);
 
 /// The bath at each pressure of the protocol, for the spheres of `start`. The drag is c (p_a V/W)^(1/2),
-/// where V is the volume of a cell that the spheres fill to 0.64.
+/// where V is the volume of a cell that the spheres fill to 0.64. Throws InputError if the protocol is not
+/// valid.
 std::vector<Barostat> baths_of(const Protocol& protocol, const Packing& start);
 
 /// What is simulated when `start` is compressed: the law and its constants, the bath at the first pressure,
-/// the time step.
+/// the time step. Throws InputError if the protocol is not valid.
 Model model_of(const Protocol& protocol, const Packing& start);
 
 }  // namespace furnas

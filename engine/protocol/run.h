@@ -36,7 +36,8 @@ struct Outcome {
 class ProtocolRun {
  public:
   /// Begins with `start`, or continues a stopped run from its packing `reached` and its state `past`. No copy
-  /// of the packing is kept besides that of the simulation. Throws InputError if the packing is not valid.
+  /// of the packing is kept besides that of the simulation. Throws InputError if the packing or the protocol
+  /// is not valid.
   ProtocolRun(const Protocol& protocol, const Packing& start, int threads);
   ProtocolRun(const Protocol& protocol, const Packing& reached, int threads, const RunState& past);
   ProtocolRun(const ProtocolRun&) = delete;
@@ -98,7 +99,8 @@ struct Jam {
 };
 
 /// Runs a protocol from its start to the verdict. `threads` 0: as many as are worthwhile for this number of
-/// spheres. The same start and protocol give the same bits for any number of threads.
+/// spheres. The same start and protocol give the same bits for any number of threads. Throws InputError if
+/// start or protocol is not valid; everything that goes wrong later is the verdict `diverged`.
 Jam jam(const Packing& start, const Protocol& protocol = {}, int threads = 0);
 
 }  // namespace furnas

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <tuple>
 
 #include "engine/base/require.h"
@@ -54,7 +55,9 @@ std::vector<SizeClass> size_classes(const std::vector<double>& radii_in_order) {
   for (std::size_t i = 0; i < radii_in_order.size(); ++i) {
     const std::size_t c = class_of(radii_in_order[i], bounds);
     if (c == classes.size()) classes.push_back({i, i, radii_in_order[i], radii_in_order[i]});
-    require(c + 1 == classes.size(), "particles are in order of their size class");
+    if (c + 1 != classes.size())
+      throw InputError("the order in memory has a particle of radius " + std::to_string(radii_in_order[i]) +
+                       " after smaller ones; allowed: size classes one after another, largest first");
     SizeClass& group = classes.back();
     group.last = i + 1;
     group.smallest_radius = std::min(group.smallest_radius, radii_in_order[i]);

@@ -9,7 +9,8 @@
 namespace furnas {
 
 /// Groups radii into classes, largest first; within a class the largest radius is at most 1.5 times the
-/// smallest. The ranges refer to particles sorted by `memory_order`.
+/// smallest. The ranges refer to particles sorted by `memory_order`. Throws InputError if a class comes
+/// before a larger one.
 std::vector<SizeClass> size_classes(const std::vector<double>& radii_in_order);
 
 /// The order of particles in memory: by size class, largest first, then along a Morton curve through

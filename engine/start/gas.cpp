@@ -149,7 +149,15 @@ double length_of(const std::vector<double>& radii, const GasOptions& options) {
 }  // namespace
 
 Packing dilute_gas(const std::vector<double>& radii, const GasOptions& options) {
-  require(!radii.empty(), "a gas has spheres");
+  if (radii.empty()) throw InputError("no spheres are wanted; allowed: 1 or more");
+  const auto wrong = std::find_if(radii.begin(), radii.end(),
+                                  [](double radius) { return !(std::isfinite(radius) && radius > 0); });
+  if (wrong != radii.end())
+    throw InputError("sphere " + std::to_string(wrong - radii.begin() + 1) + " has the radius " +
+                     std::to_string(*wrong) + "; allowed: above 0 and finite");
+  if (!(std::isfinite(options.start_fraction) && options.start_fraction > 0))
+    throw InputError("the packing fraction of the start is " + std::to_string(options.start_fraction) +
+                     "; allowed: above 0");
   if (radii.size() > static_cast<std::size_t>(most_particles))
     throw InputError(std::to_string(radii.size()) + " spheres are wanted; at most " +
                      std::to_string(most_particles) + " can be numbered");

@@ -19,8 +19,15 @@ double small_count(const Mixture& m) {
 double large_diameter(const Mixture& m) { return small_count(m) > 0 ? m.size_ratio : 1; }
 
 Packing dilute_start(const Mixture& m) {
+  if (m.large < 1)
+    throw InputError(std::to_string(m.large) + " large spheres are wanted; allowed: 1 or more");
+  if (!(std::isfinite(m.size_ratio) && m.size_ratio >= 1))
+    throw InputError("the size ratio is " + std::to_string(m.size_ratio) + "; allowed: 1 or more");
+  if (!(m.small_fraction >= 0 && m.small_fraction < 1))
+    throw InputError("the share of the small spheres is " + std::to_string(m.small_fraction) +
+                     "; allowed: from 0 to below 1");
   const double all = static_cast<double>(m.large) + small_count(m);
-  if (all > static_cast<double>(most_particles))
+  if (!(all <= static_cast<double>(most_particles)))
     throw InputError((all < 1e18 ? std::to_string(std::llround(all)) : "more than 1e18") +
                      " spheres are wanted; at most " + std::to_string(most_particles) + " can be numbered");
   const auto large = static_cast<std::size_t>(m.large);

@@ -23,7 +23,8 @@ double small_count(const Mixture& mixture);
 /// large spheres are the smallest.
 double large_diameter(const Mixture& mixture);
 
-/// A gas of these spheres (dilute_gas in engine/start/gas.h); large ones first.
+/// A gas of these spheres (dilute_gas in engine/start/gas.h); large ones first. Throws InputError if there is
+/// no large sphere, if the size ratio is below 1, and as dilute_gas.
 Packing dilute_start(const Mixture& mixture);
 
 /// Gives each sphere the mass (pi/6) d^exponent [rho d_s^3], where d is its diameter in units of d_s. Statics

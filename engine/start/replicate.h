@@ -37,8 +37,8 @@ class Computed {
 };
 
 /// The same infinite packing described by a larger cell, which consists of times[a] old cells along edge a. A
-/// replica has the members of a Packing but does not store them, so it may be larger than the memory of the
-/// machine. The original packing must outlive the replica.
+/// replica has the members of a Packing. It stores none of them for each particle except the type numbers of
+/// a file, so it may be larger than the memory of the machine. The original packing must outlive the replica.
 ///
 /// Particle k of copy c has the index c N + k, where N is the number of particles and copies are counted
 /// along the first edge first; contacts are numbered in the same way. Fractions are divided as integers, so a

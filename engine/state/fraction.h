@@ -30,7 +30,7 @@ inline std::uint64_t to_fixed(double fraction) {
   return part >= 0.5 ? (std::uint64_t{1} << 63) : static_cast<std::uint64_t>(std::llrint(part * two_to_64));
 }
 
-/// The fixed-point difference as a real number in [-1/2, 1/2).
+/// The fixed-point difference as a real number in [-1/2, 1/2]; 1/2 only by rounding.
 inline double from_fixed(std::uint64_t difference) {
   return static_cast<double>(static_cast<std::int64_t>(difference)) * (1 / two_to_64);
 }
@@ -53,7 +53,7 @@ inline Image crossed(const Image& image, const Fraction& before, const Fraction&
           component(image[2], before.z, now.z)};
 }
 
-/// s_i - s_j to the nearest image, each component in [-1/2, 1/2).
+/// s_i - s_j to the nearest image, each component in [-1/2, 1/2].
 inline Vec3<double> nearest_difference(const Fraction& i, const Fraction& j) {
   return {from_fixed(i.x - j.x), from_fixed(i.y - j.y), from_fixed(i.z - j.z)};
 }

@@ -54,8 +54,8 @@ struct Ledger {
   double initial{};    ///< energy at the start
   double cell_work{};  ///< work of the moving cell on the particles
   Losses losses;
-  double
-      quenched{};    ///< taken out between steps: motion by Quench and AtRest, motion and springs by Minimize
+  /// Taken out between steps: motion by Quench and AtRest, motion and springs by Minimize.
+  double quenched{};
   ContactWork last;  ///< of the last step; its second half is booked with the next step
 
   /// Energy that is missing in the balance, if the energy is now `energy`; 0 apart from the error of the time

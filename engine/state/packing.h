@@ -15,7 +15,7 @@
 
 namespace furnas {
 
-/// The species of a particle. In a packing with only one species all particles are `large`.
+/// The species of a particle. In a mixture or a file with one species only, all particles are `large`.
 enum class Species : std::uint8_t { large = 0, small = 1 };
 
 /// Largest number of particles of a packing: the neighbour search numbers its bins, up to two per particle,
@@ -43,8 +43,8 @@ struct Contact {
   Vec3<double> history;  ///< tangential displacement xi of i against j [d_s]; zero without friction
 };
 
-/// Names and numbers from the file from which a packing was read. Runs and conversions keep them; the engine
-/// does not use them.
+/// Names and numbers from the file from which a packing was read. Runs and conversions keep them, but for
+/// `turned`; the engine does not use them.
 struct Labels {
   std::vector<std::int64_t> id;    ///< of each particle, rising; empty: 1, 2, 3, ...
   std::vector<std::int32_t> type;  ///< of each particle, 1 or more; empty: 1 is large, 2 is small

@@ -23,6 +23,8 @@ struct Ball {
   double radius = 0.5;      ///< [d_s]
 };
 
+// These and the formulas below are written again and not taken from the engine, because tests compare the
+// two.
 inline double mass_of(double radius) { return sphere_volume(radius); }
 inline double inertia_of(double radius) { return sphere_inertia(mass_of(radius), radius); }
 inline double reduced_mass_of(double a, double b) { return 1 / (1 / mass_of(a) + 1 / mass_of(b)); }

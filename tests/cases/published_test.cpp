@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "cases/program/build_info.h"
+#include "engine/base/hasher.h"
 #include "engine/statistics/statistics.h"
 #include "io/case_file.h"
 #include "io/case_protocol.h"
@@ -26,11 +27,14 @@ struct Arm {
   int samples;
 };
 
-/// Where samples of this version stay, so that a run of the tests that is stopped goes on where it was.
+/// Where samples of this build stay, so that a run of the tests that is stopped goes on where it was.
 fs::path samples_folder() {
   const char* folder = std::getenv("FURNAS_SAMPLES");
+  const std::string program = content("/proc/self/exe");
+  Hasher hasher;
+  hasher.add_bytes(program.data(), program.size());
   return (folder != nullptr ? fs::path(folder) : fs::path(FURNAS_SOURCE_DIR) / "build/samples") /
-         build_info().version;
+         fmt::format("{}-{:016x}", build_info().version, hasher.value());
 }
 
 /// The result of one sample; of an earlier run if that was of the very same case and went to its end.
@@ -72,8 +76,7 @@ Ensemble ensemble_of(const Arm& arm) {
   e.time_step = relative_time_step(protocol);
   for (int seed = 1; seed <= arm.samples; ++seed) {
     const Json r = sample(arm, seed);
-    if (r.contains("energy"))
-      e.energy_gap = std::max(e.energy_gap, std::abs(r["energy"]["relative_gap"].get<double>()));
+    e.energy_gap = std::max(e.energy_gap, std::abs(r.at("energy").at("relative_gap").get<double>()));
     if (r["verdict"] != "jammed") continue;
     ++e.jammed;
     e.phi.push_back(r["phi_J"]);

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cases/program/run/recording.h"
-#include "engine/state/fingerprint.h"
+#include "tests/engine/support/same_packing.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -62,11 +62,13 @@ std::map<std::string, std::string> lasting_memory(const Checkpoint& checkpoint) 
 
 std::string difference_of_checkpoints(const fs::path& a, const fs::path& b) {
   const Checkpoint p = Checkpoints::read_newest(a), q = Checkpoints::read_newest(b);
-  if (state_hash(p.packing) != state_hash(q.packing)) return "the states of the checkpoints differ; ";
-  for (const auto& [key, value] : lasting_memory(p))
-    if (lasting_memory(q)[key] != value)
-      return fmt::format("the checkpoints differ in '{}':\n{}\nand\n{}; ", key, value,
-                         lasting_memory(q)[key]);
+  if (const auto same = test::same_packing(p.packing, q.packing); !same)
+    return fmt::format("the packings of the checkpoints differ: {}; ", same.message());
+  auto first = lasting_memory(p), second = lasting_memory(q);
+  for (const auto& [key, value] : second) first.try_emplace(key);
+  for (const auto& [key, value] : first)
+    if (second[key] != value)
+      return fmt::format("the checkpoints differ in '{}':\n{}\nand\n{}; ", key, value, second[key]);
   return {};
 }
 

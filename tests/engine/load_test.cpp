@@ -124,16 +124,16 @@ TEST(Load, RefusesAnOrderThatIsNone) {
   Packing p = make_simulation(model, test::hasty_gas(2))->packing();
   const std::vector<std::uint32_t> order = p.order;
   p.order.back() = p.order.front();
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "a particle twice, another never";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "a particle twice, another never";
   p.order = order;
   p.order.back() = 1 << 30;
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "a particle that is not there";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "a particle that is not there";
   p.order = order;
   std::reverse(p.order.begin(), p.order.end());
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "small ones before large ones";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "small ones before large ones";
   p.order = order;
   p.order.pop_back();
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "one short";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "one short";
 }
 
 TEST(Load, RefusesContactsThatCannotBe) {
@@ -144,10 +144,10 @@ TEST(Load, RefusesContactsThatCannotBe) {
   ASSERT_FALSE(good.contacts.empty());
   Packing p = good;
   p.contacts.front().j = 1 << 30;
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "a partner that is not there";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "a partner that is not there";
   p = good;
   p.contacts.front().image = {5, 0, 0};
-  EXPECT_THROW(make_simulation(model, p), std::exception) << "an image out of reach";
+  EXPECT_THROW(make_simulation(model, p), InputError) << "an image out of reach";
 }
 
 }  // namespace

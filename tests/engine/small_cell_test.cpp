@@ -45,7 +45,7 @@ TEST(SmallCell, TheSameBitsForAnySkin) {
     const Model model = crowded_model(dice);
     const Packing expected = end_of_run(model, start, {});
     for (double skin : {0.0, 0.01, 0.1, 0.5}) {
-      const auto same = test::same_packing(end_of_run(model, start, skin), expected);
+      const auto same = test::same_state(end_of_run(model, start, skin), expected);
       if (!same) RC_FAIL(std::string(same.message()) + ", skin " + std::to_string(skin));
     }
   }));
@@ -77,7 +77,7 @@ TEST(SmallCell, CountsTheCellsCrossedUnderAWideSkin) {
     Model model = crowded_model(dice);
     const Packing expected = end_of_run(model, start, 0.0);
     for (double skin : {1.0, 5.0}) {
-      const auto same = test::same_packing(end_of_run(model, start, skin), expected);
+      const auto same = test::same_state(end_of_run(model, start, skin), expected);
       if (!same) RC_FAIL(std::string(same.message()) + ", skin " + std::to_string(skin));
     }
   }));

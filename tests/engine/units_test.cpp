@@ -32,7 +32,7 @@ void expect_the_same_in_any_units(const Model& model, const Packing& start, int 
   const auto one = run(model, start);
   for (const Units& units : every_unit) {
     const auto other = run(in_units(model, units), in_units(start, units));
-    EXPECT_TRUE(test::same_packing(other->packing(), in_units(one->packing(), units)))
+    EXPECT_TRUE(test::same_state(other->packing(), in_units(one->packing(), units)))
         << units.length << ' ' << units.mass;
     EXPECT_EQ(other->neighbours().builds, one->neighbours().builds);
   }

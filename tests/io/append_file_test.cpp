@@ -73,7 +73,8 @@ TEST(ReliableAppendFile, MarksAreText) {
   const FileMark mark{123456789012, 0x0123456789abcdef};
   EXPECT_EQ(to_text(mark), "123456789012 bytes 0123456789abcdef");
   EXPECT_EQ(parse_mark(to_text(mark)), mark);
-  for (const char* text : {"", "12", "12 bytes", "12 bytes xyz", "12 bytes 0123456789abcdef0", "a bytes 01"})
+  for (const char* text : {"", "12", "12 bytes", "12 bytes xyz", "12 bytes 0123456789abcdef0", "a bytes 01",
+                           "-1 bytes 01", "99999999999999999999 bytes 01"})
     EXPECT_NE(input_error([&] { parse_mark(text); }), "") << text;
 }
 

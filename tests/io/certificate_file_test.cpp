@@ -26,7 +26,7 @@ Certificate two_parts() {
 
 TEST(CertificateFile, TellsEachPart) {
   const TemporaryFolder folder;
-  write_certificate(two_parts(), {}, "a run", folder / "");
+  write_certificate(two_parts(), {}, {"a run"}, folder / "");
   const Json json = Json::parse(content(folder / "certificate.json"));
   EXPECT_EQ(json["of"], "a run");
   EXPECT_EQ(json["passed"], false);
@@ -46,7 +46,7 @@ TEST(CertificateFile, TellsEachPart) {
   EXPECT_THAT(text, HasSubstr("passed  modes (sufficient to first order)"));
   EXPECT_THAT(text, HasSubstr("so-so"));
   EXPECT_THAT(text, HasSubstr("not certified: balance failed"));
-  EXPECT_EQ(text, certificate_text(two_parts(), {}, "a run"));
+  EXPECT_EQ(text, certificate_text(two_parts(), {}, {"a run"}));
 }
 
 Certificate all_passed(Proves stability) {
@@ -58,18 +58,18 @@ Certificate all_passed(Proves stability) {
 }
 
 TEST(CertificateFile, BeginsWithWhatIsProvenAndWhatIsNot) {
-  const std::string stable = certificate_text(all_passed(Proves::sufficient), {}, "a run");
+  const std::string stable = certificate_text(all_passed(Proves::sufficient), {}, {"a run"});
   EXPECT_THAT(stable, HasSubstr("Certificate of a run\n\nForces balance at the applied pressure within the "
                                 "limits below. Proven, to first order: "));
   EXPECT_THAT(stable, HasSubstr("Not proven: what large motions"));
-  const std::string sliding = certificate_text(all_passed(Proves::necessary), {}, "a run");
+  const std::string sliding = certificate_text(all_passed(Proves::necessary), {}, {"a run"});
   EXPECT_THAT(sliding, HasSubstr("Not proven: that every small motion costs energy"));
-  EXPECT_THAT(certificate_text(two_parts(), {}, "a run"),
+  EXPECT_THAT(certificate_text(two_parts(), {}, {"a run"}),
               HasSubstr("Certificate of a run\n\nNot certified: balance failed"));
 }
 
 TEST(CertificateFile, NamesTheRuleOfEachCount) {
-  const std::string text = certificate_text(all_passed(Proves::sufficient), {}, "a run");
+  const std::string text = certificate_text(all_passed(Proves::sufficient), {}, {"a run"});
   EXPECT_THAT(text, HasSubstr("8 of them in the backbone with 30 contacts (every overlap counts)"));
   EXPECT_THAT(text, HasSubstr("by the rule of a run (live contacts only) 7"));
 }

@@ -117,6 +117,12 @@ inline Packing random_packing(unsigned seed, std::size_t count = 40) {
   p.order.resize(count);
   std::iota(p.order.begin(), p.order.end(), 0u);
   std::shuffle(p.order.begin(), p.order.end(), random);
+  p.ledger = {.initial = real(0, 1),
+              .cell_work = real(-1, 1),
+              .losses = {real(0, 1), real(0, 1), real(0, 1), real(0, 1)},
+              .quenched = real(0, 1),
+              .last = {{real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1)},
+                       {real(0, 1), real(0, 1), real(0, 1), real(0, 1)}}};
   return p;
 }
 

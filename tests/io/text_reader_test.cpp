@@ -4,6 +4,7 @@
 
 #include "io/csv.h"
 #include "io/text_writer.h"
+#include "tests/engine/support/property.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -96,7 +97,7 @@ TEST(TextReader, RefusesWhatIsNoFile) {
 
 TEST(TextWriter, NumbersReadBackBitByBit) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(rc::check([&](double x, double y, double z) {
+  EXPECT_TRUE(test::holds(100, [&](double x, double y, double z) {
     {
       AtomicFile file(folder / "a");
       print(file, "{} {}\n", Vec3<double>{x, y, z}, x / 3);

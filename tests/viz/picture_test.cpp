@@ -370,19 +370,6 @@ TEST(Picture, KeyStandsBelowThePacking) {
       << "no room for letters";
 }
 
-TEST(PictureKey, BarRunsThroughTheColoursOfTheScale) {
-  const Pixels key = drawn_key({.title = "contacts", .scale = ColourScale{0, 12}}, 800);
-  ASSERT_EQ(key.height, height_of_key(800));
-  const int y =
-      static_cast<int>(2.15 * 0.019 * 800);  // the middle of the bar, from 0.15 to 0.85 of the width
-  for (const double at : {0.1, 0.5, 0.9}) {
-    const Pixel found = pixel(key, static_cast<int>(800 * (0.15 + 0.7 * at)), y);
-    const Rgb wanted = graded(at);
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], 3) << at;
-  }
-  EXPECT_TRUE(is_background(pixel(key, 40, y)));
-}
-
 TEST(Room, HoldsEveryCopyOfTheCell) {
   Packing packing = one_sphere();
   packing.radius[0] = 4;

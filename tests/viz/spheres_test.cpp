@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "viz/visible.h"
+
 namespace furnas {
 namespace {
 

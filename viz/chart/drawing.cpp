@@ -121,12 +121,12 @@ class ChartDrawing {
     const Bar& bar = s.bars[k];
     const Spot high = spot(s.x[k], s.y[k] + bar.above);
     Spot low = spot(s.x[k], s.y[k] - bar.below);
-    if (!visible(spot(s.x[k], s.y[k])) || !(bar.below + bar.above > 0) || !visible(high)) return;
+    if (!finite(spot(s.x[k], s.y[k])) || !(bar.below + bar.above > 0) || !finite(high)) return;
     const double cap = 0.4 * size_.marker;
     const auto thin = [&](const Polyline& line) { canvas_.line(line, s.colour, 0.6 * size_.line); };
     thin({{high.x - cap, high.y}, {high.x + cap, high.y}});
     // On a logarithmic axis a bar that reaches zero or less has no lower end.
-    if (visible(low))
+    if (finite(low))
       thin({{low.x - cap, low.y}, {low.x + cap, low.y}});
     else
       low = {high.x, layout_.frame.bottom};
@@ -138,7 +138,7 @@ class ChartDrawing {
     Polyline line;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       const Spot p = spot(s.x[k], s.y[k]);
-      if (visible(p))
+      if (finite(p))
         line.push_back(p);
       else
         draw_styled(std::exchange(line, {}), s);

@@ -202,7 +202,7 @@ Spot spot_of(const Chart& chart, const ChartLayout& layout, double x, double y) 
   return {layout.along_x(shown(chart.x, x)), layout.along_y(shown(chart.y, y))};
 }
 
-bool visible(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
+bool finite(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
 
 std::size_t covered(const Box& box, const std::vector<Spot>& spots, double gap) {
   return static_cast<std::size_t>(std::count_if(spots.begin(), spots.end(), [&](const Spot& p) {

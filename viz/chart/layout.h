@@ -45,7 +45,7 @@ double shown(const ChartAxis& axis, double value);
 Spot spot_of(const Chart& chart, const ChartLayout& layout, double x, double y);
 
 /// Whether a position is finite.
-bool visible(const Spot& spot);
+bool finite(const Spot& spot);
 
 /// Number of spots in a box or nearer to it than `gap` [pixels].
 std::size_t covered(const Box& box, const std::vector<Spot>& spots, double gap);

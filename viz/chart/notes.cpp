@@ -40,11 +40,11 @@ class NotePlacing {
   /// Adds a marker, and points along its error bar, to the points that notes should not cover.
   void add_ink(const Series& s, std::size_t k) {
     const Spot at = spot(s.x[k], s.y[k]);
-    if (!visible(at)) return;
+    if (!finite(at)) return;
     markers_.push_back(at);
     if (s.bars.empty()) return;
     const Spot high = spot(s.x[k], s.y[k] + s.bars[k].above), low = spot(s.x[k], s.y[k] - s.bars[k].below);
-    const double bottom = visible(low) ? low.y : layout_.frame.bottom;
+    const double bottom = finite(low) ? low.y : layout_.frame.bottom;
     for (double y = bottom; y <= high.y; y += 0.3 * height_) bars_.push_back({at.x, y});
   }
 
@@ -70,7 +70,7 @@ class NotePlacing {
   PlacedNote place(const ChartNote& note) {
     PlacedNote best;
     best.point = spot(note.x, note.y);
-    if (!visible(best.point)) return best;
+    if (!finite(best.point)) return best;
     const double width = width_of_text(note.text, height_);
     double least = std::numeric_limits<double>::infinity();
     constexpr int ways = 16;

@@ -15,6 +15,7 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -26,20 +27,26 @@
 namespace furnas {
 namespace {
 
-/// Each pixel of the picture is the mean of smoothing x smoothing drawn pixels.
-constexpr int smoothing = 3;
+/// Each pixel of the picture is the mean of n x n drawn pixels; n is 3 where OpenGL can draw so many, and
+/// smaller for a large picture.
+int smoothing_of(int width, int height) {
+  constexpr int most_pixels = 16384;  // that OpenGL draws along an edge
+  return std::clamp(most_pixels / std::max(width, height), 1, 3);
+}
 
 /// Draws with VTK, magnified by the factor `smoothing`.
 class PixelCanvas final : public Canvas {
  public:
-  explicit PixelCanvas(vtkContext2D& painter) : painter_(painter) { painter_.GetPen()->SetOpacityF(1); }
+  PixelCanvas(vtkContext2D& painter, int smoothing) : painter_(painter), smoothing_(smoothing) {
+    painter_.GetPen()->SetOpacityF(1);
+  }
 
   void line(const std::vector<Spot>& corners, const Colour& colour, double width) override {
     if (corners.size() < 2) return;
     vtkPen& pen = *painter_.GetPen();
     pen.SetLineType(vtkPen::SOLID_LINE);
     pen.SetColorF(colour[0], colour[1], colour[2]);
-    pen.SetWidth(static_cast<float>(smoothing * width));
+    pen.SetWidth(static_cast<float>(smoothing_ * width));
     std::vector<float> numbers = fine(corners);
     painter_.DrawPoly(numbers.data(), static_cast<int>(corners.size()));
   }
@@ -54,35 +61,36 @@ class PixelCanvas final : public Canvas {
 
   void text(const Spot& left, const std::string& text, double size, bool upwards) override {
     vtkTextProperty& letters = *painter_.GetTextProp();
-    set_font(letters, smoothing * size);
+    set_font(letters, smoothing_ * size);
     letters.SetJustificationToLeft();
     letters.SetVerticalJustificationToBottom();
     letters.SetOrientation(upwards ? 90 : 0);
     // VTK positions text by the bottom of the deepest letter of the font.
     const double below = depth_of_letters * size;
     const double x = upwards ? left.x + below : left.x, y = upwards ? left.y : left.y - below;
-    painter_.DrawString(static_cast<float>(smoothing * x), static_cast<float>(smoothing * y), text);
+    painter_.DrawString(static_cast<float>(smoothing_ * x), static_cast<float>(smoothing_ * y), text);
   }
 
   void clip(const std::optional<Box>& box) override {
     painter_.GetDevice()->EnableClipping(box.has_value());
     if (!box) return;
-    const auto whole = [](double x) { return static_cast<int>(std::lround(smoothing * x)); };
+    const auto whole = [this](double x) { return static_cast<int>(std::lround(smoothing_ * x)); };
     int sizes[] = {whole(box->left), whole(box->bottom), whole(box->right - box->left),
                    whole(box->top - box->bottom)};
     painter_.GetDevice()->SetClipping(sizes);
   }
 
  private:
-  static std::vector<float> fine(const std::vector<Spot>& line) {
+  std::vector<float> fine(const std::vector<Spot>& line) const {
     std::vector<float> numbers;
     for (const Spot& p : line)
       numbers.insert(numbers.end(),
-                     {static_cast<float>(smoothing * p.x), static_cast<float>(smoothing * p.y)});
+                     {static_cast<float>(smoothing_ * p.x), static_cast<float>(smoothing_ * p.y)});
     return numbers;
   }
 
   vtkContext2D& painter_;
+  int smoothing_;
 };
 
 /// Passes VTK's painter to `paint`. An exception must not pass through VTK, so it is stored in `caught`.
@@ -91,7 +99,7 @@ class Item : public vtkContextItem {
   static Item* New();
   bool Paint(vtkContext2D* painter) override {
     try {
-      PixelCanvas canvas(*painter);
+      PixelCanvas canvas(*painter, smoothing);
       paint(canvas);
     } catch (...) {
       caught = std::current_exception();
@@ -99,12 +107,13 @@ class Item : public vtkContextItem {
     return true;
   }
   std::function<void(Canvas&)> paint;
+  int smoothing = 1;
   std::exception_ptr caught;
 };
 vtkStandardNewMacro(Item);
 
 /// The mean of each smoothing x smoothing pixels.
-Pixels averaged(const vtkUnsignedCharArray& all, int width, int height) {
+Pixels averaged(const vtkUnsignedCharArray& all, int width, int height, int smoothing) {
   Pixels pixels{width, height, {}};
   pixels.rgba.reserve(4 * std::size_t(width) * std::size_t(height));
   for (int y = 0; y < height; ++y)
@@ -125,8 +134,10 @@ Pixels averaged(const vtkUnsignedCharArray& all, int width, int height) {
 }  // namespace
 
 Pixels painted(int width, int height, const std::function<void(Canvas& canvas)>& paint) {
+  const int smoothing = smoothing_of(width, height);
   OffscreenWindow window(smoothing * width, smoothing * height);
   vtkNew<Item> item;
+  item->smoothing = smoothing;
   item->paint = paint;
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(item);
@@ -139,7 +150,7 @@ Pixels painted(int width, int height, const std::function<void(Canvas& canvas)>&
   vtkNew<vtkUnsignedCharArray> pixels;
   window.vtk().GetRGBACharPixelData(0, 0, smoothing * width - 1, smoothing * height - 1, 0, pixels);
   if (!window.complaint().empty()) throw std::runtime_error("cannot draw: " + window.complaint());
-  return averaged(*pixels, width, height);
+  return averaged(*pixels, width, height, smoothing);
 }
 
 }  // namespace furnas

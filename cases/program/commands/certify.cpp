@@ -36,23 +36,23 @@ struct CertifyOptions {
 };
 
 /// Particles with enough contacts to be held; the backbone has about as many.
-std::size_t carrying(const Packing& packing, bool friction) {
+std::size_t carrying(const Packing& packing, const AnyLaw& law) {
   std::vector<int> contacts(packing.size());
   for (const Contact& c : packing.contacts) ++contacts[c.i], ++contacts[c.j];
-  const int least = friction ? 2 : 4;
+  const int least = backbone_threshold(law);
   return static_cast<std::size_t>(
       std::count_if(contacts.begin(), contacts.end(), [&](int n) { return n >= least; }));
 }
 
 /// Announces the expected time (docs/developer/decisions/factor-instead-of-lanczos.md). With friction the
 /// search for motions that grow takes longer than the eigenvalues, unless there are too many unknowns for it.
-void announce(const Packing& packing, bool friction, Console console) {
+void announce(const Packing& packing, const AnyLaw& law, Console console) {
   constexpr double of_thousand = 0.1, power = 2, growth_of_thousand = 12, growth_power = 1.9,
                    noticed = 2;  // [s]
-  const std::size_t particles = carrying(packing, friction);
+  const std::size_t particles = carrying(packing, law);
   const double thousands = static_cast<double>(particles) / 1000;
   double seconds = of_thousand * std::pow(thousands, power);
-  if (friction && 6 * particles <= static_cast<std::size_t>(most_unknowns))
+  if (has_friction(law) && 6 * particles <= static_cast<std::size_t>(most_unknowns))
     seconds += growth_of_thousand * std::pow(thousands, growth_power);
   if (seconds < noticed) return;
   console.err << "certifying " << particles
@@ -82,7 +82,6 @@ CertificateTerms terms_of(const PackingSource& source, const CertifyOptions& opt
   terms.stress_error = options.stress_error.value_or(rest.stress_error);
   terms.cone_excess = options.cone_excess.value_or(terms.cone_excess);
   terms.eigenvalues = options.eigenvalues;
-  terms.histories = !options.pressure || options.friction.value_or(0) == 0;  // a file stores no histories
   return terms;
 }
 
@@ -187,10 +186,13 @@ Command certify_command() {
     PackingSource source = told_source(*options);
     const CertificateTerms terms = terms_of(source, *options);
     const std::filesystem::path folder = folder_about(options->source, options->out);
-    announce(source.packing, terms.springs.friction() > 0, console);
+    announce(source.packing, terms.springs.law, console);
     const Certificate certificate = certify(source.packing, terms);
-    write_certificate(certificate, terms, options->source, folder);
-    console.out << certificate_text(certificate, terms, options->source);
+    // A file stores no histories, and only for a file the pressure is an option.
+    const bool histories = !options->pressure || options->friction.value_or(0) == 0;
+    const CertifiedPacking certified{options->source, histories};
+    write_certificate(certificate, terms, certified, folder);
+    console.out << certificate_text(certificate, terms, certified);
     if (!options->kick.empty())
       write_kicked(source, certificate, terms.cell.pressure, options->kick, console);
     return certificate.passed() ? ExitCode::done : ExitCode::not_certified;

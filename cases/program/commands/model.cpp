@@ -22,7 +22,7 @@ struct ModelOptions {
   std::string out;
 };
 
-FurnasInterval model_of(const ModelOptions& o) {
+FurnasInterval furnas_model_of(const ModelOptions& o) {
   if (o.sweeps.empty()) {
     if (!(o.mono - o.half_width > 0 && o.mono + o.half_width < 1))
       throw InputError(
@@ -75,7 +75,7 @@ Command model_command() {
   command.run = [options](Console console) {
     if (options->mono == 0 && options->sweeps.empty())
       throw InputError("--phi-mono or --sweep is missing; allowed: one of them");
-    const FurnasInterval model = model_of(*options);
+    const FurnasInterval model = furnas_model_of(*options);
     const Interval mono = model.phi(0), f = model.f_max(), phi = model.phi_max();
     for (const auto& [name, value] : {std::pair{"phi_mono", mono}, {"f_max", f}, {"phi_max", phi}})
       console.out << fmt::format("{:<9} {:.5f} ({:.5f} to {:.5f})\n", name, value.value, value.low,

@@ -7,10 +7,12 @@
 #include <map>
 #include <memory>
 #include <ostream>
+#include <string_view>
 
 #include "cases/program/commands/command.h"
 #include "cases/program/packing_source.h"
 #include "cases/program/replication.h"
+#include "engine/base/numbers.h"
 #include "engine/base/require.h"
 #include "engine/state/species.h"
 #include "io/atomic_file.h"
@@ -52,14 +54,16 @@ std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
 
 /// z=0.4:0.6 -> the slab between these fractions of the third edge.
 Slice parse_slice(const std::string& text) {
-  Slice slice;
-  char axis = 0, end = 0;
-  if (std::sscanf(text.c_str(), "%c=%lf:%lf%c", &axis, &slice.from, &slice.upto, &end) != 3 || axis < 'x' ||
-      axis > 'z' || !(0 <= slice.from && slice.from < slice.upto && slice.upto <= 1))
-    throw InputError(
-        fmt::format("--slice {}: allowed: x, y or z, and two fractions of that edge, like z=0.4:0.6", text));
-  slice.axis = axis - 'x';
-  return slice;
+  const std::string_view all = text;
+  const std::size_t colon = all.find(':');
+  if (all.size() > 2 && all[0] >= 'x' && all[0] <= 'z' && all[1] == '=' && colon != std::string_view::npos) {
+    const auto from = number_in<double>(all.substr(2, colon - 2));
+    const auto upto = number_in<double>(all.substr(colon + 1));
+    if (from && upto && 0 <= *from && *from < *upto && *upto <= 1)
+      return {.axis = all[0] - 'x', .from = *from, .upto = *upto};
+  }
+  throw InputError(
+      fmt::format("--slice {}: allowed: x, y or z, and two fractions of that edge, like z=0.4:0.6", text));
 }
 
 PictureOptions picture_of(const RenderOptions& options, const PackingSource& source) {

@@ -170,7 +170,7 @@ class CurvesChart {
     }
     std::map<Rules, FurnasInterval> all;
     for (const auto& [rules, rows] : of_rules)
-      all.emplace(rules, model_of(*point_of(equal, rows).mean_phi_J));
+      all.emplace(rules, furnas_model_of(*point_of(equal, rows).mean_phi_J));
     return all;
   }
 

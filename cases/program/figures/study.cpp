@@ -157,10 +157,10 @@ const Point* Study::mono_at(double friction) const {
 std::optional<FurnasInterval> Study::model(double friction) const {
   const Point* point = mono_at(friction);
   if (point == nullptr) return {};
-  return model_of(*point->mean_phi_J);
+  return furnas_model_of(*point->mean_phi_J);
 }
 
-FurnasInterval model_of(const MeanInterval& phi) {
+FurnasInterval furnas_model_of(const MeanInterval& phi) {
   if (phi.samples < 2) return FurnasInterval(phi.mean, 0);
   // The interval of two very different samples can reach below 0 or above 1.
   constexpr double emptiest = 1e-3, fullest = 1 - emptiest;

@@ -31,7 +31,7 @@ struct Study {
 };
 
 /// The model for the phi_mono of some samples; its interval is cut to possible packing fractions.
-FurnasInterval model_of(const MeanInterval& phi_mono);
+FurnasInterval furnas_model_of(const MeanInterval& phi_mono);
 
 /// Reads the tables of the folders of sweeps. Of samples at one point with different numbers of large spheres
 /// it uses those with the most; it counts the same run in two folders once. Throws InputError, also when

@@ -5,8 +5,7 @@
 namespace furnas {
 
 Alarm::Alarm(std::atomic<bool>& attention) : attention_(attention) {
-  // Only the thread of the run may get signals: one that arrived in this helper thread would not interrupt
-  // the system calls of the run.
+  // Only the thread of the run may get signals, so that no handler runs in this helper thread.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);

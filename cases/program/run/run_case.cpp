@@ -303,11 +303,9 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
                         c.mixture.diameters);
   text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
                       remark_on_thickness(r.thickness()));
-  text += fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
-                      duration_text(r.wall_seconds),
-                      static_cast<double>(r.steps_here) * static_cast<double>(r.large + r.small) /
-                          std::max(r.wall_seconds, 1e-9) / 1e6,
-                      r.threads, r.threads == 1 ? "" : "s");
+  text +=
+      fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
+                  duration_text(r.wall_seconds), r.pace().value_or(0), r.threads, r.threads == 1 ? "" : "s");
   text += fmt::format("state     {:016x}\n", r.state_hash);
   text += fmt::format("files     {}\n", folder.string());
   return text;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <new>
 #include <system_error>
 
 #include "engine/base/require.h"
@@ -101,9 +102,12 @@ RunFolder RunFolder::open(const std::string& folder) {
 
 RunFolder::~RunFolder() {
   if (!lock_ || kept_) return;
-  std::error_code left;  // an error here cannot be handled
-  for (const auto& entry : fs::directory_iterator(path_, left))
-    if (entry.path().filename() != FolderLock::file_name) fs::remove_all(entry.path(), left);
+  std::error_code left;
+  try {
+    for (fs::directory_iterator entry(path_, left); entry != fs::directory_iterator(); entry.increment(left))
+      if (entry->path().filename() != FolderLock::file_name) fs::remove_all(entry->path(), left);
+  } catch (const std::bad_alloc&) {
+  }  // neither this nor an error in `left` can be handled here
   lock_.reset();
   if (made_) fs::remove(path_, left);
 }

@@ -12,15 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The case of the first sample in the order of the folders.
+/// The case of the first sample in the order of the folders; empty without samples.
 fs::path case_of_a_sample(const fs::path& folder) {
-  fs::path first;
-  if (fs::is_directory(folder / "samples"))
-    for (const auto& point : fs::directory_iterator(folder / "samples"))
-      for (const auto& sample : fs::directory_iterator(point))
-        if (const fs::path file = sample.path() / "case.resolved.toml"; fs::exists(file))
-          if (first.empty() || file < first) first = file;
-  return first;
+  const std::vector<fs::path> files = resolved_cases_in(folder);
+  return files.empty() ? fs::path() : files.front();
 }
 
 }  // namespace

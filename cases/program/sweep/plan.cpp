@@ -44,16 +44,10 @@ std::string value_in(const Case& c, const std::string& key) {
   return without_commas(value);
 }
 
-/// Sets a key to its default.
-void forget(const Key& key, Case& c) {
-  Case defaults;
-  std::visit([&](auto* field) { *field = *std::get<decltype(field)>(key.field(defaults)); }, key.field(c));
-}
-
 /// The case as text, with keys that change no bit of the steps at their defaults.
 std::string identity(Case c) {
   for (const Key& key : case_keys())
-    if (changes_no_bit(key)) forget(key, c);
+    if (changes_no_bit(key)) reset(key, c);
   return resolved_toml(c);
 }
 
@@ -165,6 +159,18 @@ Sample moved_to(const Sample& sample, double small_fraction, const std::vector<s
   return sample_of(c, keys, folder);
 }
 
+std::vector<fs::path> resolved_cases_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder / "samples"))
+    for (const auto& point : fs::directory_iterator(folder / "samples"))
+      if (point.is_directory())
+        for (const auto& sample : fs::directory_iterator(point))
+          if (const fs::path file = sample.path() / "case.resolved.toml"; fs::exists(file))
+            files.push_back(file);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,
                                   const fs::path& folder) {
   std::set<fs::path> known;
@@ -173,15 +179,9 @@ std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std:
     known.insert(sample.folder);
     curves.insert(identity_of_curve(sample.resolved_case));
   }
-  std::vector<fs::path> files;
-  if (fs::is_directory(folder / "samples"))
-    for (const auto& point : fs::directory_iterator(folder / "samples"))
-      for (const auto& entry : fs::directory_iterator(point))
-        if (!known.contains(entry.path()) && fs::exists(entry.path() / "case.resolved.toml"))
-          files.push_back(entry.path() / "case.resolved.toml");
-  std::sort(files.begin(), files.end());
   std::vector<Sample> added;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : resolved_cases_in(folder)) {
+    if (known.contains(file.parent_path())) continue;
     const Sample sample = sample_of(read_case(file), keys, folder);
     if (sample.folder == file.parent_path() && curves.contains(identity_of_curve(sample.resolved_case)))
       added.push_back(sample);

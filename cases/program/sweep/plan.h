@@ -60,6 +60,9 @@ std::vector<Sample> samples_of(const SweepFile& sweep, const std::vector<std::st
 Sample moved_to(const Sample& sample, double small_fraction, const std::vector<std::string>& keys,
                 const std::filesystem::path& folder);
 
+/// The files case.resolved.toml of all samples in the folder of a sweep, in the order of their paths.
+std::vector<std::filesystem::path> resolved_cases_in(const std::filesystem::path& folder);
+
 /// The samples in the folder beyond `planned`, as refining adds them: cases that differ from a planned one
 /// only in small_fraction.
 std::vector<Sample> added_samples(const std::vector<Sample>& planned, const std::vector<std::string>& keys,

@@ -37,6 +37,17 @@ minutes time_of_worker(minutes of_task) {
   return of_task - std::max(minutes(1), std::min(minutes(5), of_task / 10));
 }
 
+/// A text between the quotes of a #SBATCH line, in which Slurm replaces % and a letter.
+std::string in_quotes(const std::string& text) {
+  std::string quoted;
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    if (letter == '%') quoted += '%';
+    quoted += letter;
+  }
+  return quoted;
+}
+
 }  // namespace
 
 SlurmArray array_for(const std::vector<Sample>& samples, const SlurmWishes& wishes) {
@@ -63,7 +74,7 @@ std::string slurm_script(const SlurmArray& array, const SlurmWishes& wishes,
                          const std::vector<std::string>& command, const std::filesystem::path& folder) {
   std::string line;
   for (const std::string& word : command) line += shell_word(word) + " ";
-  const std::string output = (folder / "slurm-%A_%a.out").string();
+  const std::string output = in_quotes(folder.string()) + "/slurm-%A_%a.out";
   return fmt::format(
       R"(#!/bin/bash
 # Each task is a worker on the sweep's folder: it runs samples that no other worker runs, and saves in time.
@@ -85,7 +96,7 @@ code=$?
 if [ $code -eq 11 ]; then scontrol requeue "$SLURM_JOB_ID"; fi
 exit $code
 )",
-      fmt::arg("name", folder.filename().string()), fmt::arg("tasks", array.tasks),
+      fmt::arg("name", in_quotes(folder.filename().string())), fmt::arg("tasks", array.tasks),
       fmt::arg("partition",
                wishes.partition.empty() ? "" : fmt::format("#SBATCH --partition={}\n", wishes.partition)),
       fmt::arg("minutes", array.time.count()), fmt::arg("cores", array.cores),

@@ -15,7 +15,7 @@
 
 namespace furnas {
 
-double dense_thickness(const Case& c) {
+double thickness_in_diameters(const Case& c) {
   if (!c.start.file.empty()) return std::numeric_limits<double>::infinity();
   double volume = 0, largest = 1;  // volume of all spheres in units of d_s^3 pi/6; largest diameter [d_s]
   if (!c.mixture.diameters.empty()) {
@@ -38,7 +38,7 @@ std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
   double thinnest = least_thickness, large = 0;
   for (const auto& [folder, sample] : points) {
     const Case& c = sample->resolved_case;
-    const double thickness = dense_thickness(c);
+    const double thickness = thickness_in_diameters(c);
     if (thickness >= least_thickness) continue;
     ++thin;
     thinnest = std::min(thinnest, thickness);

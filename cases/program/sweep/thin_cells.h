@@ -9,7 +9,7 @@ namespace furnas {
 
 /// Approximate thickness of the dense cell of a case, in largest diameters; infinite where the start is a
 /// packing in a file.
-double dense_thickness(const Case& c);
+double thickness_in_diameters(const Case& c);
 
 /// A line for the user about the points of a sweep whose cells are too thin to represent a large packing,
 /// with a sufficient number of spheres; empty if there are no such points.

@@ -53,7 +53,7 @@ void copy_file_whole(const fs::path& from, const fs::path& to) {
 
 /// Removes the files in an open folder, even if another folder now has its name.
 void empty(int folder) {
-  const int own = ::dup(folder);
+  const int own = ::fcntl(folder, F_DUPFD_CLOEXEC, 0);
   DIR* const entries = ::fdopendir(own);
   if (!entries) {
     if (own >= 0) ::close(own);

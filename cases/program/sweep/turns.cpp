@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "cases/program/run/run_folder.h"
+#include "cases/program/sweep/small_file.h"
 #include "engine/base/numbers.h"
 #include "io/atomic_file.h"
 
@@ -40,22 +40,6 @@ TurnRecord read_record(const fs::path& path, int number) {
   for (const auto& [kind, name] : kind_words)
     if (word == name) record.kind = kind;
   return record;
-}
-
-/// Writes a new file, or with O_TRUNC overwrites an existing one. Returns the error number, 0 without an
-/// error.
-int write_new(const fs::path& path, const std::string& text, int flags) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
-  if (descriptor < 0) return errno;
-  const int error =
-      ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : errno;
-  // NFS reports a full disk when the file is closed.
-  return ::close(descriptor) == 0 || error != 0 ? error : errno;
-}
-
-void require_written(const fs::path& path, int error) {
-  if (error != 0)
-    throw OutputError(fmt::format("{}: cannot write the file: {}", path.string(), std::strerror(error)));
 }
 
 bool has_no_links(int error) {
@@ -112,9 +96,9 @@ bool Turns::is_old(const std::string& sample) const {
 bool Turns::write(const std::string& sample, const TurnRecord& record) {
   const fs::path place = file(sample, record.number), own = worker_.own_file("record");
   const std::string text = text_of(record);
-  require_written(own, write_new(own, text, O_TRUNC));
+  require_written(own, write_small_file(own, text, O_TRUNC));
   int error = ::link(own.c_str(), place.c_str()) == 0 ? 0 : errno;
-  if (has_no_links(error)) error = write_new(place, text, O_EXCL);
+  if (has_no_links(error)) error = write_small_file(place, text, O_EXCL);
   // If the answer of the server is lost, NFS repeats the request and learns that the name exists: because of
   // this very link. In that case the file has two links.
   struct stat status {};

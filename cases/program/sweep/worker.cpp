@@ -1,6 +1,5 @@
 #include "cases/program/sweep/worker.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,12 +7,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <random>
 #include <sstream>
 #include <vector>
 
+#include "cases/program/sweep/small_file.h"
 #include "engine/base/numbers.h"
 #include "io/atomic_file.h"
 
@@ -74,10 +73,8 @@ Worker::Worker(fs::path sweep, Seconds takeover)
       file_(std::move(sweep) / "workers" / name_),
       who_(fmt::format("{:.3f} {} {} {}", takeover.count(), this_machine(), ::getpid(),
                        beginning_of(std::to_string(::getpid())))) {
-  if (!beat())
-    throw OutputError(fmt::format("{}: cannot write the file: {}", file_.string(), std::strerror(errno)));
-  // Only the thread of the sweep may get signals: a signal in this thread would not interrupt the calls of
-  // the sweep.
+  require_written(file_, beat());
+  // Only the thread of the sweep may get signals: a signal in this thread would not end a wait of the sweep.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -95,19 +92,13 @@ Worker::~Worker() {
   ::unlink(file_.c_str());
 }
 
-/// Overwrites the file and closes it. NFS then sends the bytes to the server, and the next process that opens
-/// the file sees them. A renamed file might stay invisible for a minute, because NFS caches names.
-bool Worker::beat() {
-  int descriptor = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0 && errno == ENOENT) {
-    std::error_code left;
-    fs::create_directories(file_.parent_path(), left);
-    descriptor = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  }
-  if (descriptor < 0) return false;
+int Worker::beat() {
   const std::string text = fmt::format("{:020} {}\n", ++beats_, who_);
-  const bool written = ::pwrite(descriptor, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  return ::close(descriptor) == 0 && written;
+  const int error = write_small_file(file_, text);
+  if (error != ENOENT) return error;
+  std::error_code left;
+  fs::create_directories(file_.parent_path(), left);
+  return write_small_file(file_, text);
 }
 
 void Worker::beat_until_over() {

@@ -35,7 +35,7 @@ class Worker {
   std::filesystem::path own_file(const std::string& name) const { return file_.string() + "~" + name; }
 
  private:
-  bool beat();
+  int beat();  ///< writes the counter; returns the error number, 0 without an error
   void beat_until_over();
 
   const std::chrono::duration<double> takeover_;

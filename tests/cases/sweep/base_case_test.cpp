@@ -57,7 +57,7 @@ TEST(ThinCells, OfAListOfDiametersAreMeasuredByTheLargest) {
   c.mixture.diameters = folder / "list.txt";
   write_file(c.mixture.diameters, "20\n40\n40\n");
   // 0.94 (pi/6 (1 + 8 + 8)/0.64)^(1/3)/2
-  EXPECT_NEAR(dense_thickness(c), 1.130, 1e-3);
+  EXPECT_NEAR(thickness_in_diameters(c), 1.130, 1e-3);
   SweepFile sweep{c, {{{{"contact.friction", {"0.1", "0.3"}}}, 1, "here"}}};
   EXPECT_EQ(keys_of(sweep), std::vector<std::string>{"contact.friction"});
   EXPECT_THAT(remark_on_thin_cells(samples_of(sweep, keys_of(sweep), "")),
@@ -78,9 +78,9 @@ TEST(ThinCells, AreToldWithTheNumberThatWouldDo) {
   c.mixture.size_ratio = 3;
   c.mixture.small_fraction = 0.2;
   c.mixture.large = 19;
-  EXPECT_GE(dense_thickness(c), 2.5);
+  EXPECT_GE(thickness_in_diameters(c), 2.5);
   c.mixture.large = 18;
-  EXPECT_LT(dense_thickness(c), 2.5);
+  EXPECT_LT(thickness_in_diameters(c), 2.5);
 }
 
 }  // namespace

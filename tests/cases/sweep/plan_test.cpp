@@ -199,6 +199,8 @@ TEST_F(Plans, FindsWhatRefinementHasAdded) {
     fs::create_directories(sample.folder);
     write_file(sample.folder / "case.resolved.toml", resolved_toml(sample.resolved_case));
   }
+  write_file(path("samples") / ".DS_Store", "a file of the user's desktop");
+  EXPECT_EQ(resolved_cases_in(path("")).size(), 4u);
   const auto found = added_samples(planned, keys, path(""));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].folder, added.folder);

@@ -56,6 +56,12 @@ TEST(SlurmScripts, CallTheWorkerWithLessTimeThanTheTask) {
   EXPECT_THAT(slurm_script(array, {}, {"furnas"}, "/out"), testing::Not(HasSubstr("partition")));
 }
 
+// Slurm replaces % and a letter in the name of the output, and ends a name at its quote.
+TEST(SlurmScripts, NamesOfFoldersMayHaveAnyLetter) {
+  const std::string text = slurm_script({}, {}, {"furnas"}, "/5%A \"b\"");
+  EXPECT_THAT(text, HasSubstr("#SBATCH --output=\"/5%%A \\\"b\\\"/slurm-%A_%a.out\"\n"));
+}
+
 TEST(SlurmScripts, AreWrittenWithTheCommandThatSubmitsThem) {
   const Runs runs("[mixture]\nlarge = 100\n[sweep]\nsamples = 4\n");
   const Ending answer =

@@ -46,6 +46,18 @@ TEST(Growth, OfAChainThatBuckles) {
   }
 }
 
+// Near the end of its refinement rounding moves a rate this slow by 1e-8 of itself; the rate still counts.
+TEST(Growth, IsFoundHoweverSlow) {
+  constexpr double little = 1e-9;  // F_n [k_n d_s]
+  for (const int length : {4, 40}) {
+    const Growth growth =
+        growth_of(chain(length, 1 - little), {.friction = 0}, {.freedom = CellFreedom::fixed});
+    EXPECT_TRUE(growth.valid);
+    ASSERT_NE(growth.fastest(), nullptr) << length;
+    EXPECT_NEAR(growth.fastest()->rate(), std::sqrt(4 * little / mass_of(0.5)), growth.fastest()->doubt);
+  }
+}
+
 TEST(Growth, OfNothingIsNotKnown) {
   const Packing apart = packing_of({4, 4, 4, 0, 0, 0}, {{.position = {1, 1, 1}}, {.position = {3, 3, 3}}});
   for (const CellFreedom freedom : {CellFreedom::fixed, CellFreedom::triclinic}) {

@@ -90,5 +90,28 @@ TEST(Protocol, TheDragOfTheCellIsInUnitsOfItsOwnRate) {
   EXPECT_EQ(baths_of({.cell_damping = 3, .drag = 0.7}, packing).front().drag, 0.7);
 }
 
+TEST(Protocol, NumbersThatHaveNoMeaningAreRefused) {
+  const Packing packing = dilute_start({.large = 64});
+  const double no_number = std::nan("");
+  const Protocol wrong[] = {{.pressures = {}},
+                            {.pressures = {1e-4, 0}},
+                            {.pressures = {-1e-4}},
+                            {.pressures = {no_number}},
+                            {.inertia = 0},
+                            {.inertia_absolute = -1},
+                            {.cell_damping = -1},
+                            {.drag = no_number},
+                            {.time_step = 0},
+                            {.time_step_absolute = no_number},
+                            {.contact = {.friction = -0.1}},
+                            {.contact = {.normal_damping = no_number}},
+                            {.rest = {.window = 0}},
+                            {.skin = -0.1}};
+  for (const Protocol& protocol : wrong) {
+    EXPECT_THROW(baths_of(protocol, packing), InputError) << &protocol - wrong;
+    EXPECT_THROW(model_of(protocol, packing), InputError) << &protocol - wrong;
+  }
+}
+
 }  // namespace
 }  // namespace furnas

@@ -66,5 +66,13 @@ TEST(DiluteGas, OfSpheresThatFillTheirCellIsRefused) {
   EXPECT_THROW(dilute_gas({20, 0.5}, {.start_fraction = 0.7}), InputError);
 }
 
+TEST(DiluteGas, RefusesWhatIsNoSphereAndNoGas) {
+  EXPECT_THROW(dilute_gas({}, {}), InputError);
+  for (const double radius : {0.0, -0.5, std::nan(""), HUGE_VAL})
+    EXPECT_THROW(dilute_gas({0.5, radius}, {}), InputError) << radius;
+  for (const double fraction : {0.0, -0.1, std::nan("")})
+    EXPECT_THROW(dilute_gas({0.5, 0.5}, {.start_fraction = fraction}), InputError) << fraction;
+}
+
 }  // namespace
 }  // namespace furnas

@@ -111,5 +111,15 @@ TEST(DiluteStartLimits, RefusesWhatHasNoPlace) {
   EXPECT_THROW(start(40, 0.02, 1, 0.7), InputError) << "a large sphere that touches its own image";
 }
 
+TEST(DiluteStart, RefusesWhatIsNoMixture) {
+  EXPECT_THROW(dilute_start({.large = 0}), InputError);
+  EXPECT_THROW(dilute_start({.large = -1}), InputError);
+  for (const double ratio : {0.5, -2.0, std::nan(""), HUGE_VAL})
+    EXPECT_THROW(dilute_start({.size_ratio = ratio, .small_fraction = 0.1, .large = 10}), InputError)
+        << ratio;
+  for (const double share : {-0.1, 1.0, 1.5, std::nan("")})
+    EXPECT_THROW(dilute_start({.size_ratio = 2, .small_fraction = share, .large = 10}), InputError) << share;
+}
+
 }  // namespace
 }  // namespace furnas

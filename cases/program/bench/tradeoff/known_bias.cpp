@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "cases/program/sweep/base_case.h"
+#include "engine/base/numbers.h"
 #include "io/case_file.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
@@ -64,11 +65,13 @@ std::string sentence_of(const Row& row) {
   const std::string settings = set.empty() ? "default settings" : set;
   const std::string where =
       fmt::format("{}: {} samples, furnas {}", row.at("case_settings"), row.at("n"), row.at("version"));
-  if (row.at("difference").empty()) return fmt::format("{}: no sample came to rest ({})", settings, where);
-  return fmt::format(
-      "{}: phi_J differs by {:+.4f} +- {:.4f} (95 %) from that of the arm {}, {} within {} ({})", settings,
-      std::stod(row.at("difference")), std::stod(row.at("difference_half_width")), row.at("reference"),
-      row.at("standing"), row.at("margin"), where);
+  const auto difference = number_in<double>(row.at("difference"));
+  if (!difference) return fmt::format("{}: no sample came to rest ({})", settings, where);
+  const auto half_width = number_in<double>(row.at("difference_half_width"));
+  const std::string interval =
+      half_width ? fmt::format("+- {:.4f} (95 %)", *half_width) : "(without interval)";
+  return fmt::format("{}: phi_J differs by {:+.4f} {} from that of the arm {}, {} within {} ({})", settings,
+                     *difference, interval, row.at("reference"), row.at("standing"), row.at("margin"), where);
 }
 
 }  // namespace

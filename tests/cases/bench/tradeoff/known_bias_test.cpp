@@ -50,6 +50,13 @@ TEST(KnownBias, OfSpheresFromAFileIsNotKnown) {
   EXPECT_THAT(known_biases(listed, table), IsEmpty());
 }
 
+TEST(KnownBias, OfOneSampleHasNoInterval) {
+  std::string one = table;
+  const std::string interval = "0.0002,0.0005,";
+  one.replace(one.find(interval), interval.size(), "0.0002,,");
+  EXPECT_THAT(known_biases({}, one), ElementsAre(HasSubstr("differs by +0.0002 (without interval) from")));
+}
+
 TEST(KnownBias, IsReadFromTheStoredTable) {
   Case c;
   EXPECT_THAT(known_biases(c), ElementsAre(HasSubstr("default settings: phi_J differs by")));
