@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -47,14 +48,21 @@ TEST(Growth, OfAChainThatBuckles) {
 }
 
 // Near the end of its refinement rounding moves a rate this slow by 1e-8 of itself; the rate still counts.
+// Without contacts that slide one growing wave decides, and need not be the fastest.
 TEST(Growth, IsFoundHoweverSlow) {
   constexpr double little = 1e-9;  // F_n [k_n d_s]
   for (const int length : {4, 40}) {
     const Growth growth =
         growth_of(chain(length, 1 - little), {.friction = 0}, {.freedom = CellFreedom::fixed});
     EXPECT_TRUE(growth.valid);
-    ASSERT_NE(growth.fastest(), nullptr) << length;
-    EXPECT_NEAR(growth.fastest()->rate(), std::sqrt(4 * little / mass_of(0.5)), growth.fastest()->doubt);
+    ASSERT_TRUE(growth.certain) << length;
+    double difference = 1;
+    for (int wave = 1; wave <= length / 2; ++wave) {
+      const double q = 2 * std::numbers::pi * wave / length;
+      const double expected = std::sqrt(2 * little * (1 - std::cos(q)) / mass_of(0.5));
+      difference = std::min(difference, std::abs(growth.certain->rate() - expected));
+    }
+    EXPECT_LT(difference, growth.certain->doubt) << length;
   }
 }
 
