@@ -14,6 +14,76 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// clang-format off
+constexpr OutputField coordination_fields[] = {
+    {"particles", "", "each row", "all particles of the packing, or those of its backbone"},
+    {"species", "", "each row", "large, small, or all of a polydisperse packing"},
+    {"count", "", "total", "particles of this species"},
+    {"contacts_with_large", "", "per particle of this species", "contacts with large spheres"},
+    {"contacts_with_small", "", "per particle of this species", "contacts with small spheres"},
+    {"contacts", "", "per particle of this species", "contacts with all"},
+};
+constexpr OutputField rattlers_fields[] = {
+    {"least_contacts", "", "each row", "z_min: particles with fewer live contacts are removed until none is left; they are the rattlers"},
+    {"live_force_share", "mean F_n of its kind", "each row", "a contact is live if its normal force exceeds this"},
+    {"large", "", "total", "large spheres that are rattlers"},
+    {"small", "", "total", "small spheres that are rattlers"},
+    {"large_share", "", "share of the large spheres", "the same"},
+    {"small_share", "", "share of the small spheres", "the same"},
+    {"backbone", "", "total", "particles that are no rattlers"},
+    {"contacts", "", "total", "live contacts between them"},
+    {"coordination", "", "per particle of the backbone", "2 contacts/backbone"},
+};
+constexpr OutputField forces_fields[] = {
+    {"force", "", "each row", "normal: F_n; tangential: abs(F_t)"},
+    {"kind", "", "each row", "kind of the contacts in the backbone: all, large-large, large-small, small-small"},
+    {"low", "mean force", "each bin", "lower edge of the bin, in units of the mean of this force over these contacts"},
+    {"high", "mean force", "each bin", "upper edge"},
+    {"count", "", "total", "contacts in the bin"},
+    {"density", "", "each bin", "probability density of force/mean: share of the contacts over the width of the bin"},
+};
+constexpr OutputField mobilisation_fields[] = {
+    {"kind", "", "each row", "kind of the contacts in the backbone, as in forces.csv"},
+    {"low", "", "each bin", "lower edge of the bin of abs(F_t)/(mu F_n), which is 1 where a contact slides"},
+    {"high", "", "each bin", "upper edge"},
+    {"count", "", "total", "contacts in the bin"},
+    {"density", "", "each bin", "probability density: share of the contacts over the width of the bin"},
+};
+constexpr OutputField fabric_fields[] = {
+    {"contacts_of", "", "each row", "all contacts, or those of the backbone"},
+    {"kind", "", "each row", "kind of the contacts, as in forces.csv"},
+    {"contacts", "", "total", "number of contacts"},
+    {"xx", "", "mean of the contacts", "fabric tensor, the mean of n_a n_b with the unit normal n; 1/3 on the diagonal if no direction is preferred"},
+    {"yy", "", "mean of the contacts", "the same"},
+    {"zz", "", "mean of the contacts", "the same"},
+    {"xy", "", "mean of the contacts", "the same"},
+    {"xz", "", "mean of the contacts", "the same"},
+    {"yz", "", "mean of the contacts", "the same"},
+    {"anisotropy", "", "each row", "(3/2)^(1/2) times the norm of tensor - 1/3: 0 if no direction is preferred, 1 if all normals are parallel"},
+    {"anisotropy_by_chance", "", "each row", "root mean square anisotropy of as many random directions, contacts^(-1/2)"},
+};
+constexpr OutputField pair_correlation_fields[] = {
+    {"kind", "", "each row", "kind of the pairs: all, large-large, large-small, small-small"},
+    {"low", "d_s", "each bin", "lower edge of the bin of distances r between centres"},
+    {"high", "d_s", "each bin", "upper edge"},
+    {"count", "", "total", "pairs in the bin, counted from the particles from which distances were measured"},
+    {"g", "", "each bin", "g(r): pairs in the bin over those of an ideal gas of the same density"},
+    {"error", "", "each bin", "standard deviation of g in an ideal gas with these counts"},
+    {"neighbours", "", "per particle", "partners nearer than the upper edge, on average"},
+};
+// clang-format on
+
+/// The first line of a table.
+std::string header(std::span<const OutputField> fields) {
+  std::string line;
+  for (const OutputField& field : fields) {
+    line += field.name;
+    line += ',';
+  }
+  line.back() = '\n';
+  return line;
+}
+
 double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
@@ -128,7 +198,7 @@ std::string summary(const AnalysisRecord& r) {
 
 std::string coordination_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
-  std::string text = "particles,species,count,contacts_with_large,contacts_with_small,contacts\n";
+  std::string text = header(coordination_fields);
   const auto rows = [&](const char* particles, const Coordination& c) {
     if (!r.analysis.has_species()) {
       text += fmt::format("{},all,{},,,{}\n", particles, c.particles(), c.mean());
@@ -148,8 +218,7 @@ std::string coordination_table(const AnalysisRecord& r) {
 
 std::string rattlers_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
-  std::string text =
-      "least_contacts,live_force_share,large,small,large_share,small_share,backbone,contacts,coordination\n";
+  std::string text = header(rattlers_fields);
   const Analysis& a = r.analysis;
   for (const auto& [live_share, c] : a.network->rattlers) {
     const std::string of_species =
@@ -170,7 +239,7 @@ void add_rows(std::string& text, const std::string& begin, const Histogram& h) {
 
 std::string forces_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
-  std::string text = "force,kind,low,high,count,density\n";
+  std::string text = header(forces_fields);
   for (const ContactAnalysis& c : r.analysis.network->backbone) {
     add_rows(text, fmt::format("normal,{}", name_of(c.kind)), c.normal.histogram);
     add_rows(text, fmt::format("tangential,{}", name_of(c.kind)), c.tangential.histogram);
@@ -180,7 +249,7 @@ std::string forces_table(const AnalysisRecord& r) {
 
 std::string mobilisation_table(const AnalysisRecord& r) {
   if (!r.analysis.network || r.analysis.friction == 0) return {};
-  std::string text = "kind,low,high,count,density\n";
+  std::string text = header(mobilisation_fields);
   for (const ContactAnalysis& c : r.analysis.network->backbone)
     if (c.mobilisation) add_rows(text, std::string(name_of(c.kind)), c.mobilisation->histogram);
   return text;
@@ -188,7 +257,7 @@ std::string mobilisation_table(const AnalysisRecord& r) {
 
 std::string fabric_table(const AnalysisRecord& r) {
   if (!r.analysis.network) return {};
-  std::string text = "contacts_of,kind,contacts,xx,yy,zz,xy,xz,yz,anisotropy,anisotropy_by_chance\n";
+  std::string text = header(fabric_fields);
   const auto row = [&](const char* of, const std::optional<PairKind>& kind, const Fabric& f) {
     if (f.contacts > 0)
       text += fmt::format("{},{},{},{},{},{}\n", of, name_of(kind), f.contacts, fmt::join(f.tensor, ","),
@@ -203,7 +272,7 @@ std::string fabric_table(const AnalysisRecord& r) {
 
 std::string pair_correlation_table(const AnalysisRecord& r) {
   if (r.analysis.pairs.empty()) return {};
-  std::string text = "kind,low,high,count,g,error,neighbours\n";
+  std::string text = header(pair_correlation_fields);
   for (const PairCorrelation& p : r.analysis.pairs)
     for (std::size_t b = 0; b < p.g.size(); ++b)
       text += fmt::format("{},{:.12g},{:.12g},{},{},{},{}\n", name_of(p.kind), p.edges[b], p.edges[b + 1],
@@ -211,15 +280,17 @@ std::string pair_correlation_table(const AnalysisRecord& r) {
   return text;
 }
 
+// clang-format off
 constexpr AnalysisFile table[] = {
-    {"analysis.json", summary},
-    {"coordination.csv", coordination_table},
-    {"rattlers.csv", rattlers_table},
-    {"forces.csv", forces_table},
-    {"mobilisation.csv", mobilisation_table},
-    {"fabric.csv", fabric_table},
-    {"pair_correlation.csv", pair_correlation_table},
+    {"analysis.json", "The means of all tables, and numbers of the whole packing.", {}, summary},
+    {"coordination.csv", "How many contacts a sphere has.", coordination_fields, coordination_table},
+    {"rattlers.csv", "How the number of rattlers depends on what counts as a contact and on how many contacts hold a sphere.", rattlers_fields, rattlers_table},
+    {"forces.csv", "Histograms of the contact forces in the backbone.", forces_fields, forces_table},
+    {"mobilisation.csv", "How far the contacts of the backbone are from sliding; only with friction.", mobilisation_fields, mobilisation_table},
+    {"fabric.csv", "The directions of the contacts.", fabric_fields, fabric_table},
+    {"pair_correlation.csv", "The pair correlation g(r).", pair_correlation_fields, pair_correlation_table},
 };
+// clang-format on
 
 }  // namespace
 

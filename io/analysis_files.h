@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/analysis/analyze.h"
+#include "io/output_field.h"
 
 namespace furnas {
 
@@ -16,12 +17,15 @@ struct AnalysisRecord {
   std::string source;            ///< the folder or file of the packing
   std::int64_t step{};           ///< of the packing
   bool contacts_are_overlaps{};  ///< the source had no contacts, so overlaps count as contacts
+  bool friction_is_known{};      ///< the source has a case, which has the friction
   std::optional<double> phi_J;   ///< only of a packing that was found jammed
 };
 
 /// A file that an analysis writes.
 struct AnalysisFile {
-  const char* name;
+  std::string_view name;
+  std::string_view about;                ///< a sentence
+  std::span<const OutputField> columns;  ///< of a table; none of analysis.json
   /// Its content; empty: there is nothing to write.
   std::string (*content)(const AnalysisRecord& record);
 };

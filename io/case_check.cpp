@@ -70,11 +70,13 @@ std::optional<Conflict> conflict_of_small_cell(const Case& c) {
 std::optional<Conflict> conflict_of_start(const Case& c) {
   const Case::Mixture& mixture = c.mixture;
   if (!c.start.file.empty()) {
-    if (mixture == Case::Mixture{}) return {};
-    return Conflict{"start.file",
-                    fmt::format("start.file = \"{}\" and [mixture] exclude each other: a start is "
-                                "read or drawn; leave one of them out",
-                                c.start.file)};
+    for (const Key& key : case_keys())
+      if (key.table == "mixture" && value_text(key, c) != value_text(key, Case{}))
+        return Conflict{"start.file",
+                        fmt::format("start.file = \"{}\" and {} = {} exclude each other: a start is read or "
+                                    "drawn; leave one of them out",
+                                    c.start.file, key.path(), value_text(key, c))};
+    return {};
   }
   if (!mixture.diameters.empty()) {
     if (mixture.has_default_sizes()) return {};

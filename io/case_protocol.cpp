@@ -7,7 +7,9 @@
 
 #include "engine/base/require.h"
 #include "engine/base/sphere.h"
+#include "engine/monitor/energy.h"
 #include "engine/start/gas.h"
+#include "engine/state/shorter_edges.h"
 #include "io/diameters_file.h"
 #include "io/formats.h"
 
@@ -86,18 +88,49 @@ Packing listed_start(const Case::Mixture& mixture) {
       radii, {.start_fraction = mixture.start_fraction, .seed = static_cast<std::uint64_t>(mixture.seed)});
 }
 
-}  // namespace
+/// Takes out the mean velocity, if there is more of it than rounding. A bath would take it for pressure.
+void stop_drift(Packing& packing) {
+  Vec3<double> momentum{};
+  double mass = 0, motion = 0;
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    momentum += packing.mass[k] * packing.velocity[k];
+    mass += packing.mass[k];
+    motion += packing.mass[k] * dot(packing.velocity[k], packing.velocity[k]);
+  }
+  const Vec3<double> mean = momentum * (1 / mass);
+  constexpr double rounding = 1e-9;
+  if (!(mass * dot(mean, mean) > rounding * motion)) return;
+  for (Vec3<double>& velocity : packing.velocity) velocity -= mean;
+}
 
-Packing start_of(const Case& c) {
-  Packing packing = !c.start.file.empty()          ? read_packing(c.start.file)
-                    : !c.mixture.diameters.empty() ? listed_start(c.mixture)
-                                                   : dilute_start(mixture_of(c));
-  packing.step = 0;  // steps and time are counted from the start of the run
+/// The packing of start.file, in which steps, time and energy are counted anew.
+Packing read_start(const Case& c) {
+  Packing packing = read_packing(c.start.file);
+  stop_drift(packing);
+  constexpr double strong_tilt =
+      10;  // a run shortens edges beyond 0.55, but its first list needs a thick cell
+  shorten_edges(packing, strong_tilt);
+  packing.step = 0;
   packing.time = 0;
   packing.labels.origin = {};  // positions in a run are relative to the corner of the cell
   packing.labels.turned = false;
+  return packing;
+}
+
+}  // namespace
+
+Packing start_of(const Case& c) {
+  Packing packing = !c.start.file.empty()          ? read_start(c)
+                    : !c.mixture.diameters.empty() ? listed_start(c.mixture)
+                                                   : dilute_start(mixture_of(c));
   constexpr double of_solid_spheres = 3;
   if (c.compaction.mass_exponent != of_solid_spheres) set_masses(packing, c.compaction.mass_exponent);
+  if (!packing.order.empty()) {  // with an order the simulation keeps forces and ledger
+    const ContactWork last = packing.ledger.last;
+    packing.ledger = {};
+    packing.ledger.initial = energy(packing, law_of(protocol_of(c))).total();
+    packing.ledger.last = last;
+  }
   return packing;
 }
 

@@ -51,14 +51,12 @@ void set(const Given& given, double& field) {
 }
 
 void set(const Given& given, std::int64_t& field) {
+  constexpr double exact = 0x1p53;  // up to here every integer is a double
   const auto value = real(given.node);
-  if (!value) given.refuse("is not an integer");
-  if (!given.node.is_integer()) {
-    checked(given, *value);
-    given.refuse("is not an integer (write it without a point and an exponent)");
-  }
+  if (!value || (!given.node.is_integer() && (*value != std::nearbyint(*value) || std::abs(*value) > exact)))
+    given.refuse("is not an integer");
   checked(given, *value);
-  field = *given.node.value<std::int64_t>();
+  field = given.node.is_integer() ? *given.node.value<std::int64_t>() : static_cast<std::int64_t>(*value);
 }
 
 void set(const Given& given, int& field) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_file.h"
@@ -108,7 +109,8 @@ std::string line_of(const Finding& f) {
           ? ""
           : fmt::format("   {} {:g}{}", f.bound == Finding::Bound::at_most ? "<=" : ">=", f.limit,
                         f.holds() ? "" : "   FAILS");
-  return fmt::format("    {:<62} {:>12.6g}{}\n", f.name, f.value, limit);
+  const std::string value = std::isfinite(f.value) ? fmt::format("{:.6g}", f.value) : "not known";
+  return fmt::format("    {:<62} {:>12}{}\n", f.name, value, limit);
 }
 
 }  // namespace
@@ -130,7 +132,8 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
           : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {
     text += fmt::format("{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
-                        part.proves == Proves::sufficient ? " (sufficient to first order)" : "", part.asks);
+                        part.proves == Proves::sufficient ? " (sufficient to first order)" : " (necessary)",
+                        part.asks);
     for (const Finding& f : part.findings) text += line_of(f);
     if (!part.note.empty()) text += fmt::format("    {}\n", part.note);
     text += '\n';

@@ -1,6 +1,9 @@
 #include "io/result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -35,6 +38,10 @@ std::optional<double> Result::phi_J() const {
 std::optional<double> Result::pace() const {
   if (!(wall_seconds > 0)) return {};
   return static_cast<double>(steps_here) * static_cast<double>(large + small) / wall_seconds / 1e6;
+}
+
+std::string thickness_text(double diameters) {
+  return fmt::format("{:.1f}", diameters < least_thickness ? std::floor(10 * diameters) / 10 : diameters);
 }
 
 const char* remark_on_thickness(double diameters) {

@@ -59,6 +59,9 @@ struct Result {
 /// was measured (docs/developer/decisions/thin-cells.md).
 inline constexpr double least_thickness = 2.5;
 
+/// A thickness with one digit; one below least_thickness is rounded down, so that the text is below, too.
+std::string thickness_text(double diameters);
+
 /// A remark for the user on a cell of this thickness; empty if it is thick enough.
 const char* remark_on_thickness(double diameters);
 

@@ -36,6 +36,9 @@ std::uint64_t readable_size(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(path.string() + ": there is no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path.string() +
+                     " is a folder; allowed: a file, as packing.vtp or a.checkpoint in the folder of a run");
   if (!std::filesystem::is_regular_file(status)) throw InputError(path.string() + ": not a regular file");
   const std::uint64_t size = std::filesystem::file_size(path, error);
   if (error) throw InputError(path.string() + ": " + error.message());
@@ -84,7 +87,9 @@ bool TextReader::next_line() {
   }
   ++line_number_;
   if (stream_.eof() && !words().empty())
-    fail("the file ends within this line, which has no line end: it may have been cut short");
+    fail(
+        "the file ends within this line, which has no line end: it may have been cut short; if it is whole, "
+        "end it with a newline");
   if (line_number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
   if (line_.ends_with('\r')) line_.pop_back();
   return true;

@@ -11,9 +11,9 @@ namespace {
 /// With friction packings near the densest mixture take the longest, because a few bridges of spheres carry
 /// the load there; more large spheres have more bridges. Where the large spheres alone carry the load, they
 /// take long to come together at large size ratios.
-double steps_with_friction(const Case::Mixture& mixture) {
+double steps_with_friction(const Mixture& mixture) {
   constexpr double many = 100;  // large spheres
-  const double alpha = mixture.size_ratio, f_s = mixture.small_fraction;
+  const double alpha = large_diameter(mixture), f_s = mixture.small_fraction;
   const bool sharp = alpha >= 7;  // the maximum, as that of the model
   const double densest = sharp ? 0.30 : 0.33, width = sharp && f_s > densest ? 0.08 : 0.12;
   const double off = (f_s - densest) / width;
@@ -26,7 +26,7 @@ double steps_with_friction(const Case::Mixture& mixture) {
 /// densest mixture of size ratio 3 and more, the large ones alone.
 double steps_without_friction(const Case& c, double particles) {
   constexpr double settles = 5e5, wide = 4e-3;  // few packings have no such bound on phi by then
-  const double alpha = c.mixture.size_ratio, f_s = c.mixture.small_fraction;
+  const double alpha = large_diameter(mixture_of(c)), f_s = c.mixture.small_fraction;
   const bool large_ones_alone = alpha >= 3 && f_s < (alpha < 7 ? 0.2 : 0.25);
   const double carriers = large_ones_alone ? static_cast<double>(c.mixture.large) : particles;
   const double steps = std::max(3.5e4 * std::pow(alpha, 0.35), 6e4 * std::pow(carriers / 1000, 0.75));
@@ -39,7 +39,7 @@ double steps_without_friction(const Case& c, double particles) {
 /// shorter time step needs more steps.
 double expected_steps(const Case& c, double particles) {
   const bool minimized = c.stop.minimizer && c.stop.criterion == "rest";
-  const double steps = c.contact.friction > 0 ? steps_with_friction(c.mixture)
+  const double steps = c.contact.friction > 0 ? steps_with_friction(mixture_of(c))
                        : minimized            ? steps_without_friction(c, particles)
                                               : 1e5 * std::sqrt(std::max(particles / 500, 1.0));
   const Protocol protocol = protocol_of(c);

@@ -7,6 +7,7 @@
 #include "cases/program/sweep/maxima.h"
 #include "cases/program/sweep/points.h"
 #include "cases/program/sweep/sample_columns.h"
+#include "io/analysis_files.h"
 #include "io/history.h"
 #include "io/packing_fields.h"
 #include "io/result_fields.h"
@@ -97,6 +98,16 @@ void add_packing(Page& page) {
   for (const OutputField& field : contacts_csv_fields()) page.row(field);
 }
 
+void add_analysis(Page& page) {
+  for (const AnalysisFile& file : analysis_files()) {
+    if (file.columns.empty()) continue;
+    page.section(file.name, fmt::format("{} Written by `furnas analyze`, which also writes the numbers of "
+                                        "the whole packing to `analysis.json`.",
+                                        file.about));
+    for (const OutputField& field : file.columns) page.row(field);
+  }
+}
+
 void add_sweep(Page& page) {
   constexpr std::string_view keys = "The first columns are the keys that tell the points apart.";
   page.section("sweep.csv", fmt::format("A row for each sample of a sweep. {}", keys));
@@ -129,6 +140,7 @@ std::string output_page() {
   Page page;
   add_run(page);
   add_packing(page);
+  add_analysis(page);
   add_sweep(page);
   add_maxima(page);
   return page.text();

@@ -143,6 +143,14 @@ std::string remark_on_size_ratio(const Case& c) {
       c.mixture.size_ratio);
 }
 
+/// A remark on a random start in a fixed cell; nothing would move there.
+std::string remark_on_fixed_gas(const Case& c) {
+  if (c.compaction.cell != "fixed" || !c.start.file.empty()) return {};
+  return "compaction.cell = \"fixed\" keeps the random start as it is: no sphere touches another, and none "
+         "moves; "
+         "a fixed cell is for a packing in start.file";
+}
+
 }  // namespace
 
 double expected_memory(double particles, const Case& c) {
@@ -170,15 +178,18 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
       relative_time_step(protocol_of(c), smallest), rule, dt * pair_frequency(law, lightest_pair(n)));
   out.report += pairs_report(n, law);
   out.refusal = refusal_of_units(n, c);
-  const std::string unit = unit_of_list(c), without_effect = remark_on_size_ratio(c);
-  out.remark = unit + without_effect;  // never both: a list excludes the other keys of the mixture
+  const std::string unit = unit_of_list(c);
+  std::vector<std::string> notes{remark_on_size_ratio(c), remark_on_fixed_gas(c)};
+  std::erase(notes, "");
+  out.remark = unit;
+  for (const std::string& note : notes) out.remark += (out.remark.empty() ? "" : "; ") + note;
   for (const std::string& units : {out.refusal, unit})
     if (!units.empty()) out.report += "units     " + units + "\n";
-  if (!without_effect.empty()) out.report += "note      " + without_effect + "\n";
+  for (const std::string& note : notes) out.report += "note      " + note + "\n";
 
   const double diameters = dense_thickness(n.volume) / n.sizes.largest;
   out.report += fmt::format(
-      "cell      about {:.1f} largest diameters thick when dense{}{}\n", diameters,
+      "cell      about {} largest diameters thick when dense{}{}\n", thickness_text(diameters),
       remark_on_thickness(diameters),
       diameters < 2.1 ? ", and spheres touch several images of each other: slower, but still correct" : "");
   out.report += fmt::format("memory    about {:.2f} GB\n", expected_memory(n.particles, c) / 1e9);
@@ -189,11 +200,11 @@ Preflight check_case(const Case& c, const MemoryLimit& limit) {
   const auto seconds = [&](double steps) { return steps * n.particles / rate; };
   const bool drawn = c.start.file.empty() && c.mixture.diameters.empty();
   out.report +=
-      fmt::format("time      about {} for {} steps, {}; {} for the cap of {} steps; on {} thread{}\n",
+      fmt::format("time      about {} for {} steps, {}; {} for the cap of {} steps; on {} thread{}{}\n",
                   duration_text(seconds(expected)), one_digit(std::max(expected, 1.0)),
                   drawn ? "known within a factor of three" : "a guess from equal spheres",
                   duration_text(seconds(static_cast<double>(c.stop.steps))), c.stop.steps, threads,
-                  threads == 1 ? "" : "s");
+                  threads == 1 ? "" : "s", c.output.picture == "none" ? "" : "; without the picture");
 
   const auto windows = static_cast<double>(c.compaction.pressure.size());
   if (c.compaction.cell != "fixed" &&

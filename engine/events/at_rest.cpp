@@ -29,9 +29,10 @@ const RestReport& RestWatch::look(Observation& now) {
   report_.force_imbalance = m.force_imbalance;
   report_.kinetic_energy = criteria_.kinetic_energy_alone ? m.kinetic_energy : m.backbone_kinetic_energy;
 
-  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && m.contacts > 0 &&
+  report_.largest_overlap = m.largest_overlap;
+  const bool slow = report_.kinetic_energy < criteria_.kinetic_energy && report_.backbone > 0 &&
                     m.largest_overlap < criteria_.largest_overlap;
-  const bool balanced = report_.backbone > 0 && report_.stress_error < criteria_.stress_error;
+  const bool balanced = report_.stress_error < criteria_.stress_error;
   const auto holds = [&](double imbalance) {
     return slow && (criteria_.kinetic_energy_alone || (balanced && report_.force_imbalance < imbalance));
   };
@@ -86,15 +87,20 @@ std::string RestWatch::furthest() const {
     const char* name;
     double share;
   };
-  std::array<Candidate, 4> candidates{{{"kinetic energy", report_.kinetic_energy / criteria_.kinetic_energy},
-                                       {"stress", report_.stress_error / criteria_.stress_error},
-                                       {"force balance", report_.force_imbalance / criteria_.force_imbalance},
-                                       {"strain drift", report_.strain_drift / criteria_.strain_drift}}};
-  const std::size_t count = criteria_.kinetic_energy_alone ? 1 : candidates.size();
-  const auto* worst =
-      std::max_element(candidates.begin(), candidates.begin() + count,
-                       [](const Candidate& a, const Candidate& b) { return a.share < b.share; });
-  return worst->share >= 1 && std::isfinite(worst->share) ? worst->name : "the window";
+  std::array<Candidate, 5> candidates{
+      {{"kinetic energy", report_.kinetic_energy / criteria_.kinetic_energy},
+       {"smaller overlaps", report_.largest_overlap / criteria_.largest_overlap},
+       {"stress", report_.stress_error / criteria_.stress_error},
+       {"force balance", report_.force_imbalance / criteria_.force_imbalance},
+       {"strain drift", report_.strain_drift / criteria_.strain_drift}}};
+  if (report_.backbone == 0) return "a backbone";
+  const std::size_t count = criteria_.kinetic_energy_alone ? 2 : candidates.size();
+  // The drift is not known, and infinite, before a full window.
+  const Candidate* worst = nullptr;
+  for (std::size_t k = 0; k < count; ++k)
+    if (std::isfinite(candidates[k].share) && (!worst || candidates[k].share > worst->share))
+      worst = &candidates[k];
+  return worst && worst->share >= 1 ? worst->name : "the window";
 }
 
 RestingState resting_state(double pressure, std::int64_t step, const Measures& measures) {

@@ -47,6 +47,7 @@ struct RestReport {
   double stress_error = unknown;
   double force_imbalance = unknown;
   double kinetic_energy = unknown;  ///< [k_n d_s^2]
+  double largest_overlap{};         ///< over the smaller radius
   double strain_drift = unknown;  ///< per drift_time, over one or ten windows; infinite before a full window
   bool resting{};                 ///< all criteria were met at every look of the window
   bool loosely{};                 ///< resting, but only with the loose limit of the force balance

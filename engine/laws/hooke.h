@@ -94,7 +94,8 @@ template <class R, class Truth>
                                         (R(1) / larger(dashpot + t.time_step * stiffness, least));
     history = select(slides, select(slides_free, history, cut), history);
   }
-  if (!c.winding)
+  // Without a spring that could wind, only the force that acts does work.
+  if (!c.winding || c.tangential_stiffness == 0)
     damping = select(slides, select(slides_free, damping, -(f_t + stiffness * history)), damping);
   const R loss = t.time_step * dot(damping, s.slip) +
                  R(0.5) * stiffness * dot(s.before + history, s.before + s.increment - history);

@@ -30,7 +30,8 @@ std::string fault_of(const Packing& p, const Model& model) {
   const double phi = p.fraction_filled();
   if (phi > 1)
     return "the spheres fill " + std::to_string(phi) + " of the cell" + at(p) +
-           "; the pressure is too high for their stiffness";
+           (model.barostat.freedom == CellFreedom::fixed ? "; more than all of it"
+                                                         : "; the pressure is too high for their stiffness");
   if (std::string fault = run_through(p); !fault.empty()) return fault;
   constexpr double limit = 2;
   if (const double step = stiffest_step(p, model); step > limit)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -42,10 +41,11 @@ double largest_stable_step(const AnyLaw& law, const Touch<double>& pair) {
 }
 
 double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours) {
-  if (!has_friction(law)) return std::numeric_limits<double>::infinity();
   const ContactStiffness s = stiffness_of(law, pair);
+  const double normal = stable_step(neighbours * s.normal / pair.reduced_mass, neighbours * s.normal_damping);
+  if (!has_friction(law)) return normal;
   const double each = 7.0 * neighbours / 2;  // m_eff = m/2
-  return stable_step(each * s.tangential / pair.reduced_mass, each * s.tangential_damping);
+  return std::min(normal, stable_step(each * s.tangential / pair.reduced_mass, each * s.tangential_damping));
 }
 
 double stiffest_step(const Packing& p, const Model& model) {

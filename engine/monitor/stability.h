@@ -22,9 +22,10 @@ double pair_frequency(const AnyLaw& law, const Touch<double>& pair);
 /// of x'' = -K x - C x' taken at the start of each step is stable while K dt^2 + 2 C dt < 4 [time].
 double largest_stable_step(const AnyLaw& law, const Touch<double>& pair);
 
-/// The largest stable step for a sphere in sticking contact with this number of equal spheres [time];
-/// infinite without friction. It follows from the row sums of K and C (Gershgorin): with rotations in units
-/// of 0.4 R each contact adds 7 k_t/m and 7 gamma_t m_eff/m.
+/// The largest stable step for a sphere in sticking contact with this number of equal spheres [time]. It
+/// follows from the row sums of K and C (Gershgorin): each contact adds 2 k_n/m and 2 gamma_n m_eff/m along
+/// the normals, and with friction, with rotations in units of 0.4 R, 7 k_t/m and 7 gamma_t m_eff/m across
+/// them.
 double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours);
 
 /// Upper bound of the largest frequency of a packing's springs, times the time step. Explicit integration of

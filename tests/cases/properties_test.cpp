@@ -259,7 +259,7 @@ TEST(Property, TheFileOfAFailureIsThePacking) {
     write_packing(p, "extxyz", path);
     const Case c = parse_case(resolved_toml(case_of(a, path)), "case");
     RC_ASSERT(c == case_of(a, path));
-    const Packing q = start_of(c);
+    const Packing q = read_packing(path);
     RC_ASSERT(q.radius == p.radius);
     RC_ASSERT(q.mass == p.mass);
     RC_ASSERT(q.velocity == p.velocity);

@@ -55,6 +55,16 @@ TYPED_TEST(EnergyLedger, ClosesOverACollisionWithTheSliderInSeries) {
   EXPECT_GT(gap / half, 1.8);
 }
 
+/// Without a tangential spring Coulomb's limit cuts the dashpot, which then does less work.
+TYPED_TEST(EnergyLedger, ClosesOverACollisionWithoutATangentialSpring) {
+  for (const bool winding : {true, false}) {
+    const Model model = model_of<TypeParam>(
+        {.tangential_stiffness = 0, .tangential_damping = 5, .friction = 0.1, .winding = winding});
+    const Packing end = bounce(model, grazing, {.radius = 1}, 0.5).end;
+    EXPECT_LT(std::abs(relative_gap_of(end, model)), TypeParam::synchronized ? 1e-3 : 1e-2) << winding;
+  }
+}
+
 /// Without damping and friction nothing is lost, and the ledger says so exactly.
 TYPED_TEST(EnergyLedger, BooksNoLossWithoutDampingAndFriction) {
   const Model model = model_of<TypeParam>({.normal_damping = 0, .tangential_damping = 0, .friction = 0});

@@ -7,8 +7,11 @@
 #include <algorithm>
 
 #include "engine/base/require.h"
+#include "engine/monitor/energy.h"
 #include "io/atomic_file.h"
+#include "io/checkpoint.h"
 #include "io/formats.h"
+#include "io/vtp_packing.h"
 #include "tests/io/packings.h"
 
 namespace furnas {
@@ -131,6 +134,51 @@ TEST(CaseProtocol, AStartFromAFileBeginsItsOwnClock) {
   EXPECT_EQ(packing.step, 0);
   EXPECT_EQ(packing.time, 0);
   EXPECT_GT(packing.size(), 0u);
+}
+
+TEST(CaseProtocol, AStartFromAFileDoesNotDrift) {
+  const TemporaryFolder folder;
+  Packing still = dilute_start({.large = 20});
+  for (std::size_t k = 0; k < still.size(); ++k) still.velocity[k] = {k % 2 ? 0.1 : -0.1, 0, 0};
+  Packing drifting = still;
+  for (Vec3<double>& velocity : drifting.velocity) velocity += {0.5, -1, 2};
+  Case c;
+  for (const auto& [name, packing] : {std::pair{"still.vtp", &still}, {"drifting.vtp", &drifting}}) {
+    write_vtp(*packing, folder / name);
+    c.start.file = (folder / name).string();
+    const Packing start = start_of(c);
+    for (std::size_t k = 0; k < start.size(); ++k)
+      EXPECT_LT(norm(start.velocity[k] - still.velocity[k]), 1e-14) << name;
+  }
+}
+
+// The same lattice as a cube: by the tilted edges its faces are a hundredth of a diameter apart.
+TEST(CaseProtocol, AStartFromAFileMayBeTiltedByManyEdges) {
+  const TemporaryFolder folder;
+  const Packing cube = dilute_start({.large = 20});
+  Packing tilted = cube;
+  tilted.cell.edges.xy = 300 * cube.cell.edges.xx;
+  for (std::size_t k = 0; k < cube.size(); ++k) tilted.fraction[k].x -= 300 * cube.fraction[k].y;
+  write_vtp(tilted, folder / "tilted.vtp");
+  Case c;
+  c.start.file = (folder / "tilted.vtp").string();
+  const Packing start = start_of(c);
+  EXPECT_EQ(start.cell.edges.xy, 0);
+  for (std::size_t k = 0; k < cube.size(); ++k)
+    EXPECT_LT(norm(nearest_difference(start.fraction[k], cube.fraction[k])), 1e-12);
+}
+
+TEST(CaseProtocol, AStartFromACheckpointCountsItsEnergyAnew) {
+  const TemporaryFolder folder;
+  Packing packing = random_packing(3);
+  for (Vec3<double>& velocity : packing.velocity) velocity = {1, 0, 0};
+  write_checkpoint({packing, "", {}}, folder / "a.checkpoint");
+  Case c;
+  c.start.file = (folder / "a.checkpoint").string();
+  const Packing start = start_of(c);
+  EXPECT_EQ(start.ledger.initial, energy(start, law_of(protocol_of(c))).total());
+  EXPECT_EQ(start.ledger.cell_work, 0);
+  EXPECT_EQ(start.ledger.losses.total(), 0);
 }
 
 TEST(CaseProtocol, AListOfDiametersIsAStart) {

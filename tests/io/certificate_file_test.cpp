@@ -42,7 +42,7 @@ TEST(CertificateFile, TellsEachPart) {
 
   const std::string text = content(folder / "certificate.txt");
   EXPECT_THAT(text, HasSubstr("Certificate of a run"));
-  EXPECT_THAT(text, HasSubstr("FAILED  balance\n"));
+  EXPECT_THAT(text, HasSubstr("FAILED  balance (necessary)\n"));
   EXPECT_THAT(text, HasSubstr("passed  modes (sufficient to first order)"));
   EXPECT_THAT(text, HasSubstr("so-so"));
   EXPECT_THAT(text, HasSubstr("not certified: balance failed"));

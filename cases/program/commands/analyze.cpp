@@ -52,6 +52,7 @@ AnalysisRecord analyze_source(const AnalyzeOptions& options) {
     record.contacts_are_overlaps = true;
   }
   AnalysisOptions analysis = analysis_options(options, source);
+  record.friction_is_known = case_about(source, options.source).has_value();
   // Overlaps contain no information about tangential forces.
   if (record.contacts_are_overlaps) analysis.friction = 0;
   record.analysis = analyze(source.packing, analysis);
@@ -130,9 +131,10 @@ std::string network_text(const Analysis& a) {
 
 std::string summary(const AnalysisRecord& record) {
   const Analysis& a = record.analysis;
-  std::string text = fmt::format("phi       {:.5f}{}; {}\n", a.phi, record.phi_J ? " (phi_J: jammed)" : "",
-                                 a.has_species() ? fmt::format("{} large, {} small", a.large, a.small)
-                                                 : fmt::format("{} spheres", a.large + a.small));
+  std::string text = fmt::format("step      {}\n", record.step);
+  text += fmt::format("phi       {:.5f}{}; {}\n", a.phi, record.phi_J ? " (phi_J: jammed)" : "",
+                      a.has_species() ? fmt::format("{} large, {} small", a.large, a.small)
+                                      : fmt::format("{} spheres", a.large + a.small));
   if (a.polydisperse)
     text += fmt::format(
         "sizes     {} from {:.6g} to {:.6g}: polydisperse, so that there are no f_s, phi_L, phi_S\n",
@@ -166,8 +168,10 @@ Command analyze_command() {
     add_packing_source(app, options->source, options->frame);
     app.add("--out", options->out, "folder for the files; default: that of the packing");
     app.add("--friction", options->friction,
-            "mu in the mobilisation of tangential forces, abs(F_t)/(mu F_n); default: that of the run")
-        .between(0.0, 1e6);
+            "mu, which sets the number of contacts that hold a particle (4 without friction, 2 with it) and "
+            "the "
+            "mobilisation abs(F_t)/(mu F_n); default: that of the run, 0 for a file")
+        .between(0.0, 1e30);
     app.add("--backbone", options->backbone,
             "live contacts below which a particle is a rattler; default: 4 without friction, 2 with friction")
         .between(2, 4);
@@ -187,6 +191,9 @@ Command analyze_command() {
   command.run = [options](Console console) {
     remark_on_older_checkpoint(options->source, console.err);
     const AnalysisRecord record = analyze_source(*options);
+    if (!options->friction && !options->backbone && !record.friction_is_known)
+      console.err << "furnas: the friction of this packing is not known and taken as 0, so that particles "
+                     "with fewer than 4 contacts count as rattlers; with friction add --friction MU\n";
     const fs::path folder = folder_about(options->source, options->out);
     const std::vector<std::string> written = write_files(record, folder, !options->no_pictures, console);
     console.out << summary(record)

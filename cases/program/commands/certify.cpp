@@ -177,7 +177,7 @@ Command certify_command() {
     app.add("--cone-excess", options->cone_excess, "largest (|F_t| - mu F_n)/(mu mean F_n); default: 0.01")
         .above_zero();
     app.add("--pressure", options->pressure, "p_a of a packing in a file [k_n/d_s]").above_zero();
-    app.add("--friction", options->friction, "mu of a packing in a file; default: 0").between(0.0, 1e6);
+    app.add("--friction", options->friction, "mu of a packing in a file; default: 0").between(0.0, 1e30);
     app.add("--eigenvalues", options->eigenvalues, "eigenvalues to show").between(1, 100).showing_default();
   };
   command.run = [options](Console console) {

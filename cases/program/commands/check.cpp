@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -18,6 +19,7 @@ Command check_command() {
     std::string file;
     std::vector<std::string> set;
     std::optional<int> threads;
+    std::optional<std::int64_t> seed;
   };
   auto options = std::make_shared<Options>();
   Command command;
@@ -28,9 +30,11 @@ Command check_command() {
     app.add("CASE", options->file, "case file").required();
     app.add("--set", options->set, "change a key of the case, e.g. mixture.large=400");
     app.add("--threads", options->threads, "compute.threads");
+    app.add("--seed", options->seed, "mixture.seed");
   };
   command.run = [options](Console console) {
     if (options->threads) options->set.push_back(fmt::format("compute.threads={}", *options->threads));
+    if (options->seed) options->set.push_back(fmt::format("mixture.seed={}", *options->seed));
     if (holds_sweep(options->file)) {
       console.out << sweep_report(read_sweep(options->file, options->set));
       return ExitCode::done;

@@ -17,27 +17,44 @@ namespace furnas {
 namespace {
 
 struct ModelOptions {
-  double mono = 0, half_width = 0, friction = 0, step = 0.05;
+  double mono = 0, half_width = 0, step = 0.05;
+  std::optional<double> friction;
   std::vector<std::string> sweeps;
   std::string out;
 };
 
-FurnasInterval furnas_model_of(const ModelOptions& o) {
-  if (o.sweeps.empty()) {
-    if (!(o.mono - o.half_width > 0 && o.mono + o.half_width < 1))
-      throw InputError(
-          fmt::format("--phi-mono {} --half-width {}: allowed: an interval in (0, 1)", o.mono, o.half_width));
-    return {o.mono, o.half_width};
-  }
-  const Study study = study_of({o.sweeps.begin(), o.sweeps.end()});
-  if (const auto model = study.model(o.friction)) return *model;
-  std::vector<double> known;
-  for (const Point& point : study.mono) known.push_back(point.friction);
-  throw InputError(fmt::format(
-      "--friction {}: no jammed samples of equal spheres, from which the model follows; allowed: {}. To make "
-      "them: {}, then add --sweep {}_mono_{}",
-      o.friction, known.empty() ? "none of these sweeps" : fmt::format("{}", fmt::join(known, ", ")),
-      command_for_equal_spheres(o.sweeps.front(), o.friction), o.sweeps.front(), o.friction));
+FurnasInterval model_of_phi_mono(double mono, double half_width) {
+  if (!(mono - half_width > 0 && mono + half_width < 1))
+    throw InputError(
+        fmt::format("--phi-mono {} --half-width {}: allowed: an interval in (0, 1)", mono, half_width));
+  return {mono, half_width};
+}
+
+/// The frictions of which the sweeps have equal spheres.
+std::vector<double> frictions_of(const Study& study) {
+  std::vector<double> frictions;
+  for (const Point& point : study.mono) frictions.push_back(point.friction);
+  return frictions;
+}
+
+FurnasInterval model_of_sweeps(const Study& study, const std::string& sweep, double friction) {
+  if (const auto model = study.model(friction)) return *model;
+  const std::vector<double> known = frictions_of(study);
+  const std::string allowed =
+      known.empty() ? "" : fmt::format("; allowed: --friction {}", fmt::join(known, ", "));
+  throw InputError(
+      fmt::format("there are no jammed samples of equal spheres with friction {}, from which the "
+                  "model follows{}. To make them: {}, then add --sweep {}_mono_{}",
+                  friction, allowed, command_for_equal_spheres(sweep, friction), sweep, friction));
+}
+
+/// That of the option, or the only friction of the sweeps.
+double friction_of(const ModelOptions& o, const Study& study) {
+  if (o.friction) return *o.friction;
+  const std::vector<double> known = frictions_of(study);
+  if (known.size() > 1)
+    throw InputError(fmt::format("--friction is missing; allowed: {}", fmt::join(known, ", ")));
+  return known.empty() ? 0 : known.front();
 }
 
 std::string number(double value) { return fmt::format("{:.5f}", value); }
@@ -68,19 +85,26 @@ Command model_command() {
     app.add("--half-width", options->half_width, "half of its interval").not_negative().needs(mono);
     const Argument sweeps =
         app.add("--sweep", options->sweeps, "folders of sweeps from which phi_mono is taken").excludes(mono);
-    app.add("--friction", options->friction, "mu of the samples of equal spheres").needs(sweeps);
+    app.add("--friction", options->friction,
+            "mu of the samples of equal spheres; may be left out if the sweeps have only one")
+        .needs(sweeps);
     app.add("--step", options->step, "step of f_s in the table").between(1e-4, 1.0).showing_default();
     app.add("--out", options->out, "file for the table, CSV");
   };
   command.run = [options](Console console) {
     if (options->mono == 0 && options->sweeps.empty())
       throw InputError("--phi-mono or --sweep is missing; allowed: one of them");
-    const FurnasInterval model = furnas_model_of(*options);
+    const bool of_sweeps = !options->sweeps.empty();
+    const Study study = of_sweeps ? study_of({options->sweeps.begin(), options->sweeps.end()}) : Study{};
+    const double friction = friction_of(*options, study);
+    const FurnasInterval model = of_sweeps ? model_of_sweeps(study, options->sweeps.front(), friction)
+                                           : model_of_phi_mono(options->mono, options->half_width);
+    if (of_sweeps) console.out << fmt::format("{:<9} {}\n", "friction", friction);
     const Interval mono = model.phi(0), f = model.f_max(), phi = model.phi_max();
     for (const auto& [name, value] : {std::pair{"phi_mono", mono}, {"f_max", f}, {"phi_max", phi}})
       console.out << fmt::format("{:<9} {:.5f} ({:.5f} to {:.5f})\n", name, value.value, value.low,
                                  value.high);
-    if (!options->sweeps.empty()) console.out << "in brackets: 95 % intervals\n";
+    if (of_sweeps) console.out << "in brackets: 95 % intervals\n";
     const Table table = table_of(model, options->step);
     console.out << '\n' << table.aligned();
     if (options->out.empty()) return ExitCode::done;

@@ -59,6 +59,11 @@ Command plot_command() {
   };
   command.run = [options](Console console) {
     options->order.sweeps = {options->sweeps.begin(), options->sweeps.end()};
+    const std::string format = fs::path(options->out).extension().string();
+    if (!options->out.empty() && !format.empty() && format != ".svg" && format != ".png" && format != ".csv")
+      throw InputError(
+          fmt::format("--out {}: allowed: a name that ends with .svg, .png or .csv, or one without extension",
+                      options->out));
     const Plot plot = plot_of(options->order);
     for (const std::string& remark : plot.remarks) console.err << fmt::format("furnas: {}\n", remark);
     const fs::path file = options->out.empty() ? fs::path(options->order.sweeps.front()) / "plots" / plot.name

@@ -210,9 +210,9 @@ Command render_command() {
       return ExitCode::done;
     }
     const PictureOptions picture = picture_of(*options, source);
-    console.err << fmt::format("draws {} spheres, {} x {} pixels\n",
-                               source.packing.size() * copies_of(parse_times(options->times)), picture.width,
-                               picture.height)
+    const std::size_t spheres = source.packing.size() * copies_of(parse_times(options->times));
+    console.err << fmt::format("draws {}{} spheres, {} x {} pixels\n", picture.slice ? "a slice of " : "",
+                               spheres, picture.width, picture.height)
                 << std::flush;
     render_picture(source.packing, options->out, picture);
     console.out << options->out << '\n' << key_of(source.packing, picture) << '\n';

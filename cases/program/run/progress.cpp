@@ -148,11 +148,14 @@ std::vector<std::string> Progress::criteria() const {
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto& [name, value, limit] = all[k];
     if (!std::isfinite(value) || (limits.kinetic_energy_alone && k != 2)) continue;
+    const bool of_the_backbone = k == 1 || k == 2;
+    if (of_the_backbone && report.backbone == 0) continue;
     const std::string text = fmt::format("{} {:.1e}", name, value);
     texts.push_back(value < limit
                         ? fmt::format("{} within {:.0e}", text, limit)
                         : fmt::format("{}{}, needs {:.0e}", text, word(forecast_->trend(k)), limit));
   }
+  if (report.backbone == 0) texts.emplace_back("no backbone yet");
   if (report.waiting_for == "the window") texts.emplace_back("all must stay so for a window of time");
   return texts;
 }

@@ -48,7 +48,8 @@ std::string reason_of(Verdict verdict, const Measures& m, const RestReport& rest
     case Verdict::budget:
       break;
   }
-  const std::string why = m.step >= c.stop.steps ? "all steps are spent" : "the wall time is spent";
+  const std::string why = m.step >= c.stop.steps ? "all steps are spent, resume --more N adds N"
+                                                 : "the wall time is spent, resume continues";
   return rest.waiting_for.empty() ? why : why + "; the run still waits for " + rest.waiting_for;
 }
 
@@ -189,8 +190,14 @@ void Run::write_files(const Packing& packing, const Outcome& outcome, const Resu
   constexpr std::size_t many = 100'000;  // from here on writing takes seconds
   if (packing.size() >= many) lines_.show({"writes the files of " + folder_.string()});
   write_outputs({case_, packing, result}, folder_);
-  write_file(folder_ / "log.txt", summary(result, case_, folder_));
-  if (outcome.verdict != Verdict::diverged && case_.output.picture != "none") {
+  const std::string text = summary(result, case_, folder_);
+  write_file(folder_ / "log.txt", text);
+  lines_.clear();
+  console_.out << text << std::flush;
+  // A run that is stopped must end at once.
+  const bool stopped = outcome.verdict == Verdict::interrupted ||
+                       (outcome.verdict == Verdict::budget && result.measures.step < case_.stop.steps);
+  if (outcome.verdict != Verdict::diverged && !stopped && case_.output.picture != "none") {
     lines_.show({fmt::format("draws packing.png, {0} x {0} pixels", case_.output.picture_size)});
     draw(packing, case_, folder_, console_);
   }
@@ -201,6 +208,7 @@ void Run::write_files(const Packing& packing, const Outcome& outcome, const Resu
 
 ExitCode Run::go() {
   if (!order_.remark.empty()) console_.err << "furnas: " << order_.remark << '\n';
+  if (ended_) console_.err << "the run has come to its verdict before; its files are written again\n";
   take_up();
   const Outcome end = ended_ ? Outcome{*ended_, {}} : run_->go(&requests_.attention);
   lines_.clear();
@@ -211,7 +219,6 @@ ExitCode Run::go() {
   const Packing packing =
       run_->take_packing();  // the simulation is freed, because writing needs as much memory as it had
   write_files(packing, end, result);
-  console_.out << summary(result, case_, folder_) << std::flush;
   return exit_code_of(end.verdict);
 }
 
@@ -301,8 +308,9 @@ std::string summary(const Result& r, const Case& c, const std::filesystem::path&
   if (r.listed_unit)
     text += fmt::format("units     1 d_s is {:g}, the smallest diameter in {}\n", *r.listed_unit,
                         c.mixture.diameters);
-  text += fmt::format("cell      {:.1f} largest diameters thick{}\n", r.thickness(),
+  text += fmt::format("cell      {} largest diameters thick{}\n", thickness_text(r.thickness()),
                       remark_on_thickness(r.thickness()));
+  if (r.evaluations > 0) text += fmt::format("minimizer {} evaluations of all forces\n", r.evaluations);
   text +=
       fmt::format("steps     {} in {}, {:.1f} million particle-steps a second on {} thread{}\n", m.step,
                   duration_text(r.wall_seconds), r.pace().value_or(0), r.threads, r.threads == 1 ? "" : "s");

@@ -96,6 +96,11 @@ class Sweep {
     if (finished > 0)
       console_.err << fmt::format("{} of {} samples are finished and not run again\n", finished,
                                   samples_.size());
+    if (const std::size_t foreign = foreign_samples(); foreign > 0)
+      console_.err << fmt::format(
+          "{} sample{} in {} belong{} to no point of this sweep and {} not in its tables\n", foreign,
+          foreign == 1 ? "" : "s", (order_.folder / "samples").string(), foreign == 1 ? "s" : "",
+          foreign == 1 ? "is" : "are");
     Requests requests;
     const SignalGuard guard(requests);
     PoolEnd end = run(requests);
@@ -111,6 +116,15 @@ class Sweep {
   }
 
  private:
+  /// Samples in the folder that an earlier call with other values has made.
+  std::size_t foreign_samples() const {
+    std::set<fs::path> own;
+    for (const Sample& sample : samples_) own.insert(sample.folder);
+    const std::vector<fs::path> files = resolved_cases_in(order_.folder);
+    return static_cast<std::size_t>(std::count_if(
+        files.begin(), files.end(), [&](const fs::path& file) { return !own.contains(file.parent_path()); }));
+  }
+
   PoolEnd run(Requests& requests) {
     Line line(console_.err);
     std::optional<std::size_t> done;

@@ -51,10 +51,10 @@ std::string remark_on_thin_cells(const std::vector<Sample>& samples) {
       large > 0 ? fmt::format("mixture.large = {:.0f} makes", large)
                 : fmt::format("lists {:.1f} times as long make", std::pow(least_thickness / thinnest, 3));
   return fmt::format(
-      "cells     at {} of {} points are too thin to represent a large packing, down to {:.1f} largest "
+      "cells     at {} of {} points are too thin to represent a large packing, down to {} largest "
       "diameters "
       "when dense; {} all of them {:g} thick\n",
-      thin, points.size(), thinnest, remedy, least_thickness);
+      thin, points.size(), thickness_text(thinnest), remedy, least_thickness);
 }
 
 }  // namespace furnas

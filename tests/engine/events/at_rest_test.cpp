@@ -53,6 +53,15 @@ TEST(RestWatch, TheWindowMustBeFull) {
   EXPECT_TRUE(std::isinf(young.watch.report().strain_drift));
 }
 
+// A contact law that is pressed beyond its range is no rest, and the run says so.
+TEST(RestWatch, LargeOverlapsAreNamed) {
+  RestCriteria criteria;
+  criteria.largest_overlap = 1e-12;
+  RestingStory story = always({}, criteria);
+  EXPECT_EQ(story.rests_at(20), -1);
+  EXPECT_EQ(story.watch.report().waiting_for, "smaller overlaps");
+}
+
 TEST(RestWatch, AWindowIsAsLongAsTheCriteriaSay) {
   RestCriteria criteria;
   criteria.window = 1;  // 50 steps

@@ -140,5 +140,30 @@ TEST(ProtocolRun, ACollapseIsAnOutcome) {
   EXPECT_FALSE(outcome.is_sound);
 }
 
+// K dt^2 + 2 C dt < 4 for a sphere with many dashpots: strong ones need a short step.
+TEST(AutomaticStep, IsStableForAnyDamping) {
+  for (const double friction : {0.0, 0.3})
+    for (const double damping : {2.0, 5.0, 10.0, 50.0}) {
+      Protocol protocol;
+      protocol.contact = {.normal_damping = damping, .friction = friction};
+      protocol.pressures = {1e-3};
+      protocol.steps = 20'000;
+      const Jam end = jam(gas(), protocol);
+      EXPECT_NE(end.verdict, Verdict::diverged) << damping << ' ' << friction << ": " << end.fault;
+      EXPECT_GT(end.measures.phi, 0.5) << damping << ' ' << friction;
+    }
+}
+
+// By the criterion of the paper, at so low a pressure that the first few contacts hardly move.
+TEST(Jam, AGasIsNoPackingHoweverSlow) {
+  Protocol protocol;
+  protocol.pressures = {1e-9};
+  protocol.rest = {.kinetic_energy_alone = true, .kinetic_energy = 1e-3, .window = 20};
+  protocol.steps = 20'000;
+  const Jam end = jam(dilute_start({.large = 100, .start_fraction = 0.3}), protocol);
+  EXPECT_EQ(end.verdict, Verdict::budget);
+  EXPECT_EQ(end.rest.waiting_for, "a backbone");
+}
+
 }  // namespace
 }  // namespace furnas

@@ -12,6 +12,7 @@
 #include "cases/program/sweep/base_case.h"
 #include "engine/base/numbers.h"
 #include "io/case_file.h"
+#include "io/case_protocol.h"
 #include "io/case_schema.h"
 #include "io/case_words.h"
 #include "io/csv.h"
@@ -56,7 +57,7 @@ std::set<std::string> difference_of(const Case& a, const Case& b) {
 /// How unlike two mixtures are: first whether there is friction, then the size ratio, then f_s.
 std::tuple<bool, double, double> distance(const Case& a, const Case& b) {
   return {(a.contact.friction > 0) != (b.contact.friction > 0),
-          std::abs(std::log(a.mixture.size_ratio / b.mixture.size_ratio)),
+          std::abs(std::log(large_diameter(mixture_of(a)) / large_diameter(mixture_of(b)))),
           std::abs(a.mixture.small_fraction - b.mixture.small_fraction)};
 }
 
@@ -70,14 +71,20 @@ std::string sentence_of(const Row& row) {
   const auto half_width = number_in<double>(row.at("difference_half_width"));
   const std::string interval =
       half_width ? fmt::format("+- {:.4f} (95 %)", *half_width) : "(without interval)";
-  return fmt::format("{}: phi_J differs by {:+.4f} {} from that of the arm {}, {} within {} ({})", settings,
-                     *difference, interval, row.at("reference"), row.at("standing"), row.at("margin"), where);
+  const std::string standing = row.at("standing") == "equivalent" ? "so it is the same within {}"
+                               : row.at("standing") == "different"
+                                   ? "so it is not the same within {}"
+                                   : "so it may or may not be the same within {}";
+  return fmt::format("{}: phi_J differs by {:+.4f} {} from that of the most careful settings, {} ({})",
+                     settings, *difference, interval, fmt::format(fmt::runtime(standing), row.at("margin")),
+                     where);
 }
 
 }  // namespace
 
 std::vector<std::string> known_biases(const Case& c, std::string_view table) {
-  if (!c.start.file.empty() || !c.mixture.diameters.empty()) return {};  // none of them was measured
+  // None of these was measured.
+  if (!c.start.file.empty() || !c.mixture.diameters.empty() || c.compaction.cell == "fixed") return {};
   std::vector<Row> rows = rows_of(table);
   std::erase_if(rows, [](const Row& row) {
     return row.at("arm").empty() || row.at("standing") == "reference" || row.at("standing") == "unfinished" ||
