@@ -30,9 +30,8 @@ VoxelPlan plan_voxels(const Packing& packing, double edge) {
   const auto plane = static_cast<std::uint64_t>(plan.grid.in_a_plane());
   plan.bytes = plane * static_cast<std::uint64_t>(plan.grid.points[2]);
   constexpr double buffer = 2e6;  // bytes that the file buffers
-  plan.memory =
-      static_cast<double>(plane) + buffer +
-      static_cast<double>(plan.solid.spheres.size() * (sizeof(PlacedSphere) + sizeof(PlacedSphere*)));
+  plan.memory = static_cast<double>(plane) + buffer +
+                static_cast<double>(plan.solid.spheres.size() * (sizeof(PlacedSphere) + sizeof(const void*)));
   return plan;
 }
 

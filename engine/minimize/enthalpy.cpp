@@ -69,7 +69,7 @@ bool Enthalpy::covers(const Shift& shift) const {
   if (strain >= 1) return false;
   std::vector<double> moved;
   for (const SizeClass& group : list_.classes) {
-    const Largest square =
+    const auto square =
         ordered_sum<Largest>(group.last - group.first, chunk, [&](std::size_t begin, std::size_t end) {
           Largest piece;
           for (std::size_t k = group.first + begin; k < group.first + end; ++k)
