@@ -21,6 +21,7 @@ constexpr int most_cores = 16;
 
 double memory_of(const std::vector<Sample>& samples, int side_by_side) {
   std::vector<double> each;
+  each.reserve(samples.size());
   for (const Sample& sample : samples) each.push_back(sample.memory());
   std::sort(each.begin(), each.end(), std::greater<>());
   each.resize(std::min(each.size(), static_cast<std::size_t>(side_by_side)));

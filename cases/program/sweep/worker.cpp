@@ -67,10 +67,10 @@ std::string new_name() {
 
 }  // namespace
 
-Worker::Worker(fs::path sweep, Seconds takeover)
+Worker::Worker(const fs::path& sweep, Seconds takeover)
     : takeover_(takeover),
       name_(new_name()),
-      file_(std::move(sweep) / "workers" / name_),
+      file_(sweep / "workers" / name_),
       who_(fmt::format("{:.3f} {} {} {}", takeover.count(), this_machine(), ::getpid(),
                        beginning_of(std::to_string(::getpid())))) {
   require_written(file_, beat());

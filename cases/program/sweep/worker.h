@@ -20,7 +20,7 @@ inline constexpr std::chrono::duration<double> usual_takeover{120};
 class Worker {
  public:
   /// Throws OutputError when its file cannot be written.
-  Worker(std::filesystem::path sweep, std::chrono::duration<double> takeover);
+  Worker(const std::filesystem::path& sweep, std::chrono::duration<double> takeover);
   /// Removes its file.
   ~Worker();
   Worker(const Worker&) = delete;
