@@ -153,7 +153,6 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
     }
     basis.col(k + 1) = next / h(k + 1, k);
   }
-  const double largest = 1.01 * largest_eigenvalue(motion);
   const Eigen::EigenSolver<MatrixXd> spectrum(h.topLeftCorner(count, count));
   valid = spectrum.info() == Eigen::Success;
   if (!valid) return {};
@@ -162,7 +161,6 @@ std::vector<Ritz> arnoldi(const SmallMotion& motion, double sigma, Index size, d
     const Complex theta = spectrum.eigenvalues()[k];
     const Complex lambda = sigma + 1.0 / theta;
     if (!(lambda.real() > above) || lambda.imag() < 0) continue;
-    if (std::abs(lambda) > largest) continue;  // a theta that is 0 but for rounding
     const VectorXcd s = spectrum.eigenvectors().col(k).normalized();
     const double error = std::abs(h(count, count - 1) * s[count - 1]) / std::norm(theta);
     found.push_back({lambda, error, apply.displacements(basis.leftCols(count) * s)});
@@ -306,12 +304,14 @@ Growth find_growth(const SmallMotion& motion) {
   if (motion.unknowns() <= few) {
     found = dense(motion, least_rate, growth.valid);
   } else {
+    // A theta that is 0 but for rounding makes a lambda beyond any eigenvalue.
+    const double largest = 1.01 * largest_eigenvalue(motion);
     for (const double sigma : {0.003, 0.03, 0.3}) {
       constexpr Index vectors = 120;
       const auto more = arnoldi(motion, sigma, vectors, least_rate, growth.valid);
       if (!growth.valid) return growth;
       for (const Ritz& r : more)
-        if (r.error < 0.1 * r.lambda.real()) found.push_back(r);
+        if (r.error < 0.1 * r.lambda.real() && std::abs(r.lambda) <= largest) found.push_back(r);
     }
   }
   std::sort(found.begin(), found.end(),

@@ -30,9 +30,9 @@ struct AnalyzeOptions {
   bool no_pictures = false;
 };
 
-AnalysisOptions analysis_options(const AnalyzeOptions& options, const PackingSource& source) {
+/// `about`: the case of the packing, if it is known.
+AnalysisOptions analysis_options(const AnalyzeOptions& options, const std::optional<Case>& about) {
   AnalysisOptions analysis = options.analysis;
-  const auto about = case_about(source, options.source);
   const double of_case = about ? about->contact.friction : 0;
   analysis.friction = options.friction.value_or(of_case);
   Case c;
@@ -51,8 +51,9 @@ AnalysisRecord analyze_source(const AnalyzeOptions& options) {
     source.packing = with_overlaps_as_contacts(source.packing);
     record.contacts_are_overlaps = true;
   }
-  AnalysisOptions analysis = analysis_options(options, source);
-  record.friction_is_known = case_about(source, options.source).has_value();
+  const auto about = case_about(source, options.source);
+  AnalysisOptions analysis = analysis_options(options, about);
+  record.friction_is_known = about.has_value();
   // Overlaps contain no information about tangential forces.
   if (record.contacts_are_overlaps) analysis.friction = 0;
   record.analysis = analyze(source.packing, analysis);
@@ -169,8 +170,7 @@ Command analyze_command() {
     app.add("--out", options->out, "folder for the files; default: that of the packing");
     app.add("--friction", options->friction,
             "mu, which sets the number of contacts that hold a particle (4 without friction, 2 with it) and "
-            "the "
-            "mobilisation abs(F_t)/(mu F_n); default: that of the run, 0 for a file")
+            "the mobilisation abs(F_t)/(mu F_n); default: that of the run, 0 for a file")
         .between(0.0, 1e30);
     app.add("--backbone", options->backbone,
             "live contacts below which a particle is a rattler; default: 4 without friction, 2 with friction")

@@ -71,13 +71,14 @@ std::string sentence_of(const Row& row) {
   const auto half_width = number_in<double>(row.at("difference_half_width"));
   const std::string interval =
       half_width ? fmt::format("+- {:.4f} (95 %)", *half_width) : "(without interval)";
-  const std::string standing = row.at("standing") == "equivalent" ? "so it is the same within {}"
-                               : row.at("standing") == "different"
-                                   ? "so it is not the same within {}"
-                                   : "so it may or may not be the same within {}";
-  return fmt::format("{}: phi_J differs by {:+.4f} {} from that of the most careful settings, {} ({})",
-                     settings, *difference, interval, fmt::format(fmt::runtime(standing), row.at("margin")),
-                     where);
+  const std::string& standing = row.at("standing");
+  const char* const same = standing == "equivalent"  ? "is"
+                           : standing == "different" ? "is not"
+                                                     : "may or may not be";
+  return fmt::format(
+      "{}: phi_J differs by {:+.4f} {} from that of the most careful settings, so it {} the same "
+      "within {} ({})",
+      settings, *difference, interval, same, row.at("margin"), where);
 }
 
 }  // namespace
