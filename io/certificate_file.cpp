@@ -15,7 +15,15 @@ namespace {
 using Json = nlohmann::ordered_json;  // writes NaN and infinity as null
 
 const char* word(Proves proves) {
-  return proves == Proves::necessary ? "necessary only" : "sufficient to first order";
+  switch (proves) {
+    case Proves::sufficient:
+      return "sufficient to first order";
+    case Proves::neither:
+      return "neither necessary nor sufficient";
+    case Proves::necessary:
+      break;
+  }
+  return "necessary only";
 }
 
 constexpr const char* rule = "every overlap counts";
@@ -25,6 +33,12 @@ std::string failed_parts(const Certificate& c) {
   for (const Part& part : c.parts)
     if (!part.passed()) failed += (failed.empty() ? "" : ", ") + part.name;
   return failed;
+}
+
+/// Whether a part failed that a jammed packing may fail.
+bool decides_nothing(const Certificate& c) {
+  return std::any_of(c.parts.begin(), c.parts.end(),
+                     [](const Part& part) { return part.proves == Proves::neither && !part.passed(); });
 }
 
 /// What all parts together prove, and what they do not prove.
@@ -38,9 +52,9 @@ std::string conclusion(const Certificate& c, const CertifiedPacking& of) {
         failed_parts(c));
   if (!c.passed())
     return fmt::format(
-        "Not certified: {} failed, and a jammed packing passes every part. The parts that passed prove "
+        "Not certified: {} failed, and a jammed packing passes every part{}. The parts that passed prove "
         "nothing on their own.",
-        failed_parts(c));
+        failed_parts(c), decides_nothing(c) ? " that is necessary" : "");
   const bool stable = std::any_of(c.parts.begin(), c.parts.end(),
                                   [](const Part& part) { return part.proves == Proves::sufficient; });
   if (stable)
@@ -131,9 +145,9 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
                 c.unlisted, c.open)
           : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {
-    text += fmt::format("{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
-                        part.proves == Proves::sufficient ? " (sufficient to first order)" : " (necessary)",
-                        part.asks);
+    text += fmt::format(
+        "{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
+        fmt::format(" ({})", part.proves == Proves::necessary ? "necessary" : word(part.proves)), part.asks);
     for (const Finding& f : part.findings) text += line_of(f);
     if (!part.note.empty()) text += fmt::format("    {}\n", part.note);
     text += '\n';

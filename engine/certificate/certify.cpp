@@ -150,9 +150,12 @@ Part stability_part(const Modes& modes, std::size_t shown, std::int64_t sliding)
     if (modes.open(k))
       part.findings.push_back(told(name + ", in doubt for want of balance by [k_n]", modes.doubt[k]));
   }
-  part.proves = sure ? Proves::sufficient : Proves::necessary;
+  // A contact that slides has no spring along F_t here, but sticks where a motion unloads it.
+  part.proves = sliding > 0 ? Proves::neither : sure ? Proves::sufficient : Proves::necessary;
   if (sliding > 0)
-    part.note = "At contacts that slide, F_t follows F_n; that is no energy and stands in the next part.";
+    part.note =
+        "Contacts slide. Here they slide in both senses, but a contact that a motion unloads sticks; and F_t "
+        "follows F_n, which is no energy. The next part takes both into account.";
   if (open > 0 && sliding > 0) part.note += " ";
   if (open > 0) {
     part.note += std::to_string(open);

@@ -35,6 +35,7 @@ inline Finding at_least(std::string name, double value, double limit) {
 enum class Proves {
   necessary,   ///< every jammed packing passes; a packing that passes need not be jammed
   sufficient,  ///< if the forces balance, the packing is stable against all small motions, to first order
+  neither,     ///< a jammed packing may fail, and a packing that passes need not be jammed
 };
 
 /// One part of a certificate: a question, and the numbers that answer it.

@@ -49,6 +49,11 @@ inline bool twists(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.synchronized; }, any);
 }
 
+/// Whether dashpots use velocities predicted for the end of the step; otherwise those of its middle.
+inline bool predicts_velocities(const AnyLaw& any) {
+  return std::visit([](const auto& law) { return law.synchronized; }, any);
+}
+
 /// Push, stiffness and damping of a contact under a law.
 inline ContactStiffness stiffness_of(const AnyLaw& any, const Touch<double>& touch) {
   return std::visit([&](const auto& law) { return law.stiffness(touch); }, any);

@@ -10,8 +10,21 @@
 namespace furnas {
 namespace {
 
+/// The step at which K dt^2 + 2 C dt = 4.
 double stable_step(double stiffness, double damping) {
   return 4 / (damping + std::sqrt(damping * damping + 4 * stiffness));
+}
+
+/// The least of the stable steps along the normals and across them. `weight` is that of the damping.
+double stable_step_of(const AnyLaw& law, const Touch<double>& pair, int contacts, double weight) {
+  const ContactStiffness s = stiffness_of(law, pair);
+  const double normal =
+      stable_step(contacts * s.normal / pair.reduced_mass, weight * contacts * s.normal_damping);
+  if (!has_friction(law)) return normal;
+  // For slip of two spheres the inverse mass is 7/2 of 1/m_eff, because the spheres also rotate.
+  const double each = 3.5 * contacts;
+  return std::min(normal,
+                  stable_step(each * s.tangential / pair.reduced_mass, weight * each * s.tangential_damping));
 }
 
 }  // namespace
@@ -32,20 +45,12 @@ double pair_frequency(const AnyLaw& law, const Touch<double>& pair) {
   return std::sqrt(stiffness_of(law, pair).stiffest() / pair.reduced_mass);
 }
 
-double largest_stable_step(const AnyLaw& law, const Touch<double>& pair) {
-  const ContactStiffness s = stiffness_of(law, pair);
-  const double normal = stable_step(s.normal / pair.reduced_mass, s.normal_damping);
-  if (!has_friction(law)) return normal;
-  // For slip of two spheres the inverse mass is 7/2 of 1/m_eff, because the spheres also rotate.
-  return std::min(normal, stable_step(3.5 * s.tangential / pair.reduced_mass, 3.5 * s.tangential_damping));
+double largest_stable_step(const AnyLaw& law, const Touch<double>& pair, int contacts) {
+  return stable_step_of(law, pair, contacts, predicts_velocities(law) ? 2 : 1);
 }
 
-double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours) {
-  const ContactStiffness s = stiffness_of(law, pair);
-  const double normal = stable_step(neighbours * s.normal / pair.reduced_mass, neighbours * s.normal_damping);
-  if (!has_friction(law)) return normal;
-  const double each = 7.0 * neighbours / 2;  // m_eff = m/2
-  return std::min(normal, stable_step(each * s.tangential / pair.reduced_mass, each * s.tangential_damping));
+double largest_stable_step_of_midway(const AnyLaw& law, const Touch<double>& pair, int contacts) {
+  return stable_step_of(law, pair, contacts, 1);
 }
 
 double stiffest_step(const Packing& p, const Model& model) {

@@ -18,15 +18,18 @@ double restitution(const AnyLaw& law, const Touch<double>& pair);
 /// Largest frequency of the undamped springs of a lone pair [1/time].
 double pair_frequency(const AnyLaw& law, const Touch<double>& pair);
 
-/// The time step beyond which a lone pair is unstable, its damping included. Velocity Verlet with the force
-/// of x'' = -K x - C x' taken at the start of each step is stable while K dt^2 + 2 C dt < 4 [time].
-double largest_stable_step(const AnyLaw& law, const Touch<double>& pair);
+/// The time step up to which velocity Verlet is stable for a pair, or for a sphere in sticking contact with
+/// several equal spheres, dashpots included [time]. The fastest mode of x'' = -K x - C x' changes its sign in
+/// each step. It grows beyond K dt^2 + 4 C dt = 4 if the dashpots use velocities predicted for the end of the
+/// step, and beyond K dt^2 + 2 C dt = 4 if they use those of its middle (docs/theory/integrator.md). K and C
+/// are row sums (Gershgorin), upper bounds except for a pair: each contact adds 2 k_n/m and 2 gamma_n m_eff/m
+/// along the normals, and with friction, with rotations in units of 0.4 R, 7 k_t/m and 7 gamma_t m_eff/m
+/// across them.
+double largest_stable_step(const AnyLaw& law, const Touch<double>& pair, int contacts = 1);
 
-/// The largest stable step for a sphere in sticking contact with this number of equal spheres [time]. It
-/// follows from the row sums of K and C (Gershgorin): each contact adds 2 k_n/m and 2 gamma_n m_eff/m along
-/// the normals, and with friction, with rotations in units of 0.4 R, 7 k_t/m and 7 gamma_t m_eff/m across
-/// them.
-double largest_stable_step_among(const AnyLaw& law, const Touch<double>& pair, int neighbours);
+/// The same as if the dashpots of any law used the velocities of the middle of the step. The automatic time
+/// step is that of eight contacts (docs/developer/decisions/length-of-a-step.md).
+double largest_stable_step_of_midway(const AnyLaw& law, const Touch<double>& pair, int contacts);
 
 /// Upper bound of the largest frequency of a packing's springs, times the time step. Explicit integration of
 /// undamped springs is stable below 2. The row sum of M^-1 K bounds its eigenvalues (Gershgorin): with

@@ -81,12 +81,12 @@ TimeStep chosen_time_step(const Protocol& p, double smallest) {
   // Overdamped spheres do not collide in any time; the other rule then sets the step.
   const double of_collision =
       (friction ? 0.08 : 0.1) * collision_time(law, pair).value_or(std::numeric_limits<double>::infinity());
-  constexpr int neighbours = 8;  // docs/developer/decisions/length-of-a-step.md
+  constexpr int contacts = 8;  // docs/developer/decisions/length-of-a-step.md
   return std::min<TimeStep>({{of_collision, friction ? "auto: 0.08 of a collision of two small spheres"
                                                      : "auto: a tenth of a collision of two small spheres"},
-                             {largest_stable_step_among(law, pair, neighbours),
-                              friction ? "auto: stable for a small sphere that sticks to eight others"
-                                       : "auto: stable for a small sphere that touches eight others"}},
+                             {largest_stable_step_of_midway(law, pair, contacts),
+                              friction ? "auto: the rule for a small sphere that sticks to eight others"
+                                       : "auto: the rule for a small sphere that touches eight others"}},
                             [](const TimeStep& a, const TimeStep& b) { return a.length < b.length; });
 }
 

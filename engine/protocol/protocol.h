@@ -63,7 +63,7 @@ struct TimeStep {
 
 /// The time step of a protocol. If the program chooses it, the step follows from a pair of the smallest
 /// spheres, of diameter `smallest` [d_s]. It is 0.1 of their collision time (0.08 with friction), but at most
-/// the step that is stable for a sphere in (sticking) contact with eight others of its size
+/// that of the rule for a sphere in (sticking) contact with eight others of its size
 /// (docs/developer/decisions/length-of-a-step.md).
 TimeStep chosen_time_step(const Protocol& protocol, double smallest = 1);
 

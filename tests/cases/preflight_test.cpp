@@ -52,7 +52,7 @@ TEST(Preflight, ComparesTheStepWithTheStiffestPair) {
 
 TEST(Preflight, SaysWhatChoseTheStep) {
   Case c;
-  EXPECT_THAT(check_case(c).report, HasSubstr("0.0633 t_c (auto: stable for a small sphere that sticks"));
+  EXPECT_THAT(check_case(c).report, HasSubstr("0.0633 t_c (auto: the rule for a small sphere that sticks"));
   c.contact.friction = 0;
   EXPECT_THAT(check_case(c).report, HasSubstr("0.1 t_c (auto: a tenth of a collision"));
   c.compaction.time_step_absolute = 0.05;

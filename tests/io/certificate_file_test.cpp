@@ -12,6 +12,7 @@ namespace furnas {
 namespace {
 
 using Json = nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 Certificate two_parts() {
@@ -64,6 +65,11 @@ TEST(CertificateFile, BeginsWithWhatIsProvenAndWhatIsNot) {
   EXPECT_THAT(stable, HasSubstr("Not proven: what large motions"));
   const std::string sliding = certificate_text(all_passed(Proves::necessary), {}, {"a run"});
   EXPECT_THAT(sliding, HasSubstr("Not proven: that every small motion costs energy"));
+  Certificate slides = two_parts();
+  slides.parts[0].proves = Proves::neither;
+  EXPECT_THAT(certificate_text(slides, {}, {"a run"}),
+              AllOf(HasSubstr("a jammed packing passes every part that is necessary."),
+                    HasSubstr("FAILED  balance (neither necessary nor sufficient)\n")));
   EXPECT_THAT(certificate_text(two_parts(), {}, {"a run"}),
               HasSubstr("Certificate of a run\n\nNot certified: balance failed"));
 }

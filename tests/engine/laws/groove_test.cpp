@@ -36,7 +36,7 @@ TEST(Groove, SmallSphereRollsOutAsTheClosedFormSays) {
 }
 
 /// The legacy law sees the spin against the normal of the step's end and the velocity across its middle. In a
-/// groove the two no longer cancel: each step adds a slip of speed^2 dt/(2 ring), always inwards. Where
+/// groove the two no longer cancel: each step adds a slip of speed^2 dt/(2 ring), always outwards. Where
 /// friction holds a wedge of this angle, tan(half angle) < mu, it draws the sphere in until it sticks.
 bool legacy_sticks(const Groove& groove) { return groove.wedge() < groove.friction; }
 
