@@ -33,13 +33,25 @@ TEST(StudyFigures, FollowFromTheTablesBesideThem) {
   EXPECT_EQ(std::count_if(fs::directory_iterator(drawn), fs::directory_iterator(), is_kept), kept);
 }
 
-TEST(StudyFigures, OfTheSecondTransitionFollowsFromItsTable) {
-  const fs::path table = fs::path(FURNAS_SOURCE_DIR) / "docs/results/findings/second_transition";
+/// Whether `furnas plot` with these options draws the figure in a folder of findings from its table.
+void expect_drawn(const char* finding, const std::string& figure, const std::vector<std::string>& options) {
+  const fs::path table = fs::path(FURNAS_SOURCE_DIR) / "docs/results/findings" / finding;
   const TemporaryFolder folder;
-  const Ending drawing = ending_of({"plot", table.string(), "--x", "pressure", "--y", "small_rattlers_4",
-                                    "--by", "small_fraction", "--out", (folder / "drawn.svg").string()});
+  std::vector<std::string> command{"plot", table.string()};
+  command.insert(command.end(), options.begin(), options.end());
+  command.insert(command.end(), {"--out", (folder / "drawn.svg").string()});
+  const Ending drawing = ending_of(command);
   ASSERT_EQ(drawing.code, 0) << drawing.out;
-  EXPECT_EQ(content(folder / "drawn.svg"), content(table / "small_rattlers.svg"));
+  EXPECT_EQ(content(folder / "drawn.svg"), content(table / figure));
+}
+
+TEST(StudyFigures, OfTheSecondTransitionFollowsFromItsTable) {
+  expect_drawn("second_transition", "small_rattlers.svg",
+               {"--x", "pressure", "--y", "small_rattlers_4", "--by", "small_fraction"});
+}
+
+TEST(StudyFigures, OfTheLeftBranchFollowsFromItsTable) {
+  expect_drawn("left_branch", "phi.svg", {"--x", "mass_exponent", "--y", "phi", "--by", "winding"});
 }
 
 }  // namespace
