@@ -85,7 +85,8 @@ Maximum find_maximum(const std::vector<double>& x, const std::vector<double>& y,
     std::sort(all.begin(), all.end());
     return std::unique(all.begin(), all.end()) - all.begin();
   };
-  if (near_x.size() <= parameters || places(near_x) < static_cast<long>(parameters)) return coarse;
+  // Through as many places as parameters there is nearly always a hyperbola, whose interval is too narrow.
+  if (places(near_x) <= static_cast<long>(parameters)) return coarse;
   const auto count = static_cast<Eigen::Index>(near_x.size());
   const std::vector<Fit> fits = fits_of({Eigen::Map<Eigen::VectorXd>(near_x.data(), count),
                                          Eigen::Map<Eigen::VectorXd>(near_inverse.data(), count)});

@@ -77,6 +77,19 @@ TEST(Maximum, OfFewPointsLiesBetweenTheNeighbours) {
   EXPECT_EQ(m.high, 0.4);
 }
 
+/// A hyperbola has five parameters.
+TEST(Maximum, OfFivePlacesLiesBetweenTheNeighbours) {
+  const FurnasModel model{0.6};
+  std::vector<double> x{0.1, 0.2, 0.29, 0.35, 0.35, 0.4, 0.4}, y;
+  for (const double f : x) y.push_back(model.phi(f));
+  const Maximum five = find_maximum(x, y);
+  EXPECT_EQ(five.at, 0.29);
+  EXPECT_EQ(five.low, 0.2);
+  EXPECT_EQ(five.high, 0.35);
+  x.push_back(0.25), y.push_back(model.phi(0.25));
+  EXPECT_LT(find_maximum(x, y).half_width(), 0.01);
+}
+
 TEST(Maximum, AtAnEndMayLieBeyondIt) {
   const Maximum m = find_maximum({0.1, 0.2, 0.4}, {0.7, 0.65, 0.6});
   EXPECT_EQ(m.at, 0.1);
