@@ -133,10 +133,12 @@ std::vector<Key> compaction() {
       either("compaction", "time_step_absolute", "time_step", "time", above_to(0, 1000),
              "time step in absolute units; replaces the key time_step",
              [](Case& c) -> Field { return &c.compaction.time_step_absolute; }),
-      plain("compaction", "mass_exponent", "", from_to(0, 3),
-            "the mass of a sphere grows with this power of its diameter; 3: solid spheres; below 3 large "
-            "spheres are light, runs are shorter, and packings with friction are less dense",
-            [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
+      plain(
+          "compaction", "mass_exponent", "", from_to(0, 3),
+          "the mass of a sphere grows with this power of its diameter; 3: solid spheres, or the masses of a "
+          "start file; below 3 large spheres are light, runs are shorter, and packings with friction are "
+          "less dense",
+          [](Case& c) -> Field { return &c.compaction.mass_exponent; }),
   };
 }
 
