@@ -145,9 +145,8 @@ std::string certificate_text(const Certificate& c, const CertificateTerms& terms
                 c.unlisted, c.open)
           : "Recomputed from positions, radii and cell alone; the file has no tangential histories.\n\n";
   for (const Part& part : c.parts) {
-    text += fmt::format(
-        "{}  {}{}\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
-        fmt::format(" ({})", part.proves == Proves::necessary ? "necessary" : word(part.proves)), part.asks);
+    text += fmt::format("{}  {} ({})\n  {}\n", part.passed() ? "passed" : "FAILED", part.name,
+                        part.proves == Proves::necessary ? "necessary" : word(part.proves), part.asks);
     for (const Finding& f : part.findings) text += line_of(f);
     if (!part.note.empty()) text += fmt::format("    {}\n", part.note);
     text += '\n';
