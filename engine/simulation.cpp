@@ -10,9 +10,9 @@
 #include "engine/monitor/energy.h"
 #include "engine/phases/forces.h"
 #include "engine/phases/integrate.h"
+#include "engine/search/carry_over.h"
 #include "engine/search/find_pairs.h"
 #include "engine/search/inner_skin.h"
-#include "engine/search/merge.h"
 #include "engine/search/size_classes.h"
 #include "engine/state/validate.h"
 #include "engine/step.h"
@@ -93,7 +93,7 @@ class SimulationOf final : public Simulation {
   Labels labels_;  ///< of the loaded packing, copied into the packing that packing() returns
   Clock clock_;
   State<Numerics> state_;
-  StepWork work_;
+  StepWork<Real> work_;
   StepGraph step_;
 };
 
@@ -162,12 +162,11 @@ void SimulationOf<Numerics>::build_list(std::int64_t builds) {
     state_.pairs.classes = size_classes(radii);
   }
   work_.displacement.largest.assign(state_.pairs.classes.size(), 0);
-  bin_particles<Numerics>(model_.skin, state_.step, state_.cell, work_.displacement, state_.pairs,
-                          state_.particles, work_.draft);
-  search_pairs(state_.cell, work_.draft);
-  state_.contact_state.clear(0, 0, spins);
-  adopt_list<Numerics>(state_.step, work_.draft, state_.pairs, state_.rows, state_.contact_state,
-                       state_.image, work_.displacement);
+  ListDraft<Real> draft;
+  bin_particles<Numerics>(model_.skin, state_.step, state_.cell, work_.displacement, state_.particles,
+                          state_.pairs, state_.image, draft);
+  search_pairs(state_.step, state_.cell, draft, state_.pairs);
+  put_down_contacts<Numerics>(state_.pairs, draft, state_.rows, state_.contact_state, work_.displacement);
   state_.pairs.builds = builds + 1;
   work_.inner = {};
 }
@@ -298,6 +297,7 @@ std::vector<Contact> SimulationOf<Numerics>::contacts() const {
 
 template <class Numerics>
 Packing SimulationOf<Numerics>::packing() const {
+  work_.draft = {};  // the copy needs the memory more
   Packing p;
   p.step = state_.step;
   p.time = clock_.at(state_.step, model_.time_step);

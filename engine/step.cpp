@@ -9,7 +9,8 @@ namespace furnas {
 
 // clang-format off
 template <class S>
-StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& s, StepWork& w) {
+StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& s, StepWork<typename S::Real>& w) {
+  using Real = typename S::Real;
   StepGraph step;
   const double& dt = model.time_step;
   const Barostat& bath = model.barostat;
@@ -23,9 +24,10 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
 
   step.phase("add the displacement",              add_displacement,           s.step, w.squared_displacement, s.cell, s.pairs, w.displacement);
   step.phase_when(w.displacement.suspect, "measure the displacement", measure_displacement<S>, model.skin, s.step, s.cell, s.pairs, s.particles, w.displacement);
-  step.phase_when(w.displacement.outdated, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.displacement, s.pairs, s.particles, w.draft);
-  step.phase_when(w.displacement.outdated, "search the pairs",    search_pairs,    s.cell, w.draft);
-  step.phase_when(w.displacement.outdated, "adopt the list",      adopt_list<S>,   s.step, w.draft, s.pairs, s.rows, s.contact_state, s.image, w.displacement);
+  step.phase_when(w.displacement.outdated, "bin the particles",   bin_particles<S>, model.skin, s.step, s.cell, w.displacement, s.particles, s.pairs, s.image, w.draft);
+  step.phase_when(w.displacement.outdated, "pick up the contacts", pick_up_contacts<Real>, s.pairs, s.contact_state, w.draft);
+  step.phase_when(w.displacement.outdated, "search the pairs",    search_pairs<Real>, s.step, s.cell, w.draft, s.pairs);
+  step.phase_when(w.displacement.outdated, "put down the contacts", put_down_contacts<S>, s.pairs, w.draft, s.rows, s.contact_state, w.displacement);
 
   step.phase("watch the inner list",         watch_inner_list,      s.step, dt, w.squared_displacement, s.cell, s.pairs, w.inner);
   step.phase("contact forces",              contact_forces<S>,    model, dt, s.cell, s.pairs, s.particles, s.loads, s.rows, s.contact_state, w.inner, s.stress.contacts, w.work);
@@ -56,7 +58,7 @@ StepGraph make_step(const Model& model, const std::size_t& particles, State<S>& 
 
 #define FURNAS_INSTANTIATE(Law, Real)                                                 \
   template StepGraph make_step<Numerics<Law, Real>>(const Model&, const std::size_t&, \
-                                                    State<Numerics<Law, Real>>&, StepWork&);
+                                                    State<Numerics<Law, Real>>&, StepWork<Real>&);
 FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
 #undef FURNAS_INSTANTIATE
 

@@ -8,11 +8,14 @@
 namespace furnas {
 
 /// What the phases pass to each other within a step.
+template <class Real>
 struct StepWork {
   SquaredDisplacement squared_displacement;
   ListDisplacement displacement;
   InnerList inner;
-  ListDraft draft;
+  /// Between steps only memory kept for the next list, so a function that leaves the state as it is may
+  /// release it.
+  mutable ListDraft<Real> draft;
   ContactWork work;
 };
 
@@ -20,6 +23,7 @@ struct StepWork {
 /// alone determines the order of the phases. The arguments must outlive the graph and must not move in
 /// memory.
 template <class Numerics>
-StepGraph make_step(const Model& model, const std::size_t& particles, State<Numerics>& state, StepWork& work);
+StepGraph make_step(const Model& model, const std::size_t& particles, State<Numerics>& state,
+                    StepWork<typename Numerics::Real>& work);
 
 }  // namespace furnas

@@ -6,9 +6,9 @@
 
 #include "engine/base/parallel.h"
 #include "engine/base/require.h"
+#include "engine/search/carry_over.h"
 #include "engine/search/displacement.h"
 #include "engine/search/find_pairs.h"
-#include "engine/search/merge.h"
 #include "engine/search/size_classes.h"
 
 namespace furnas {

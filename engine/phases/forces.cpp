@@ -1,6 +1,7 @@
 #include "engine/phases/forces.h"
 
 #include "engine/base/parallel.h"
+#include "engine/base/refill.h"
 #include "engine/kernels/kernels.h"
 #include "engine/search/inner_skin.h"
 
@@ -15,7 +16,7 @@ void contact_forces(const Model& model, const double& time_step, const Cell& cel
                     Eigen::Matrix3d& stress, ContactWork& work) {
   const bool all = inner.outdated;
   if (all && inner.kept) {
-    inner.rows.resize(pairs.rows());
+    refill(inner.rows, pairs.rows());
     inner.count.resize((particles.size() + contact_piece - 1) / contact_piece);
   }
   const ContactLoop<Numerics> loop{.law = &std::get<typename Numerics::Law>(model.law),

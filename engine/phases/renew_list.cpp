@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
+#include "engine/base/refill.h"
 #include "engine/search/find_pairs.h"
 #include "engine/search/inner_skin.h"
-#include "engine/search/merge.h"
 
 namespace furnas {
 
@@ -46,43 +46,45 @@ void measure_displacement(const std::optional<double>& skin, const std::int64_t&
 
 template <class Numerics>
 void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                   const ListDisplacement& displacement, const PairList& pairs,
+                   const ListDisplacement& displacement,
                    const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
-                   ListDraft& draft) {
-  std::vector<Fraction>& positions = draft.fresh.reference;
-  positions.resize(particles.size());
+                   PairList& pairs, std::vector<Image>& image, ListDraft<typename Numerics::Real>& draft) {
+  const bool first = pairs.reference.empty();
+  pairs.reference.resize(particles.size());
   draft.radii.resize(particles.size());
   for_chunks(particles.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      positions[i] = particles[i].position;
+      if (!first) image[i] = crossed(image[i], pairs.reference[i], particles[i].position);
+      pairs.reference[i] = particles[i].position;
       draft.radii[i] = particles[i].radius;
     }
   });
-  draft.fresh.classes = pairs.classes;
-  draft.fresh.skin = next_skin(pairs, displacement.largest,
-                               pairs.builds > 0 ? shrinkage(pairs.edges, cell.edges) : 0, step, skin);
-  draft.grids = bin_classes(draft.fresh.classes, draft.fresh.skin, cell.edges, positions);
+  draft.skin = next_skin(pairs, displacement.largest,
+                         pairs.builds > 0 ? shrinkage(pairs.edges, cell.edges) : 0, step, skin);
+  draft.grids = bin_classes(pairs.classes, draft.skin, cell.edges, pairs.reference, std::move(draft.grids));
 }
 
-void search_pairs(const Cell& cell, ListDraft& draft) {
-  find_pairs(draft.grids, cell.edges, draft.radii, draft.fresh);
+template <class Real>
+void pick_up_contacts(const PairList& pairs, const ContactState<Real>& contact_state,
+                      ListDraft<Real>& draft) {
+  draft.contacts = contacts_of_rows(pairs, contact_state, pairs.reference);
+}
+
+template <class Real>
+void search_pairs(const std::int64_t& step, const Cell& cell, const ListDraft<Real>& draft, PairList& pairs) {
+  pairs.skin = draft.skin;
+  pairs.step = step;
+  ++pairs.builds;
+  find_pairs(draft.grids, cell.edges, draft.radii, pairs);
 }
 
 template <class Numerics>
-void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                Rows<typename Numerics::Real, Numerics::spins>& rows,
-                ContactState<typename Numerics::Real>& contact_state, std::vector<Image>& image,
-                ListDisplacement& displacement) {
-  const std::vector<Fraction>& positions = draft.fresh.reference;
-  for_chunks(pairs.reference.size(), 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) image[i] = crossed(image[i], pairs.reference[i], positions[i]);
-  });
-  merge_contact_state(pairs, contact_state, draft.fresh, positions, Numerics::spins);
-  draft.fresh.step = step;
-  draft.fresh.builds = pairs.builds + 1;
-  pairs = std::move(draft.fresh);
-  draft = {};  // frees much memory for many particles; for few, costs no time
-  rows.assign(pairs.rows(), {});
+void put_down_contacts(const PairList& pairs, ListDraft<typename Numerics::Real>& draft,
+                       Rows<typename Numerics::Real, Numerics::spins>& rows,
+                       ContactState<typename Numerics::Real>& contact_state, ListDisplacement& displacement) {
+  enter_contacts(draft.contacts, pairs, pairs.reference, Numerics::spins, contact_state);
+  draft.contacts = {};
+  refill(rows, pairs.rows(), {});
   displacement.largest.assign(pairs.classes.size(), 0);
   displacement.suspect = displacement.outdated = false;
 }
@@ -112,17 +114,23 @@ void watch_inner_list(const std::int64_t& step, const double& time_step,
   choose_inner_skin(pairs, motion, strain, inner);
 }
 
-#define FURNAS_INSTANTIATE(Law, Real)                                                          \
-  template void measure_displacement<Numerics<Law, Real>>(                                     \
-      const std::optional<double>&, const std::int64_t&, const Cell&, const PairList&,         \
-      const std::vector<Particle<Real, Law::spins>>&, ListDisplacement&);                      \
-  template void bin_particles<Numerics<Law, Real>>(                                            \
-      const std::optional<double>&, const std::int64_t&, const Cell&, const ListDisplacement&, \
-      const PairList&, const std::vector<Particle<Real, Law::spins>>&, ListDraft&);            \
-  template void adopt_list<Numerics<Law, Real>>(const std::int64_t&, ListDraft&, PairList&,    \
-                                                Rows<Real, Law::spins>&, ContactState<Real>&,  \
-                                                std::vector<Image>&, ListDisplacement&);
+#define FURNAS_INSTANTIATE(Law, Real)                                                                    \
+  template void measure_displacement<Numerics<Law, Real>>(                                               \
+      const std::optional<double>&, const std::int64_t&, const Cell&, const PairList&,                   \
+      const std::vector<Particle<Real, Law::spins>>&, ListDisplacement&);                                \
+  template void bin_particles<Numerics<Law, Real>>(                                                      \
+      const std::optional<double>&, const std::int64_t&, const Cell&, const ListDisplacement&,           \
+      const std::vector<Particle<Real, Law::spins>>&, PairList&, std::vector<Image>&, ListDraft<Real>&); \
+  template void put_down_contacts<Numerics<Law, Real>>(                                                  \
+      const PairList&, ListDraft<Real>&, Rows<Real, Law::spins>&, ContactState<Real>&, ListDisplacement&);
 FURNAS_FOR_EACH_NUMERICS(FURNAS_INSTANTIATE)
+#undef FURNAS_INSTANTIATE
+
+#define FURNAS_INSTANTIATE(Real)                                                                \
+  template void pick_up_contacts(const PairList&, const ContactState<Real>&, ListDraft<Real>&); \
+  template void search_pairs(const std::int64_t&, const Cell&, const ListDraft<Real>&, PairList&);
+FURNAS_INSTANTIATE(double)
+FURNAS_INSTANTIATE(float)
 #undef FURNAS_INSTANTIATE
 
 }  // namespace furnas

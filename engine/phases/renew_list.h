@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/phases/integrate.h"
+#include "engine/search/carry_over.h"
 #include "engine/search/displacement.h"
 #include "engine/search/grid.h"
 #include "engine/state/inner_list.h"
@@ -11,11 +12,13 @@
 
 namespace furnas {
 
-/// Data needed while a list is built.
+/// Data needed while a list is built. Radii and grids stay, because their memory is used for the next list.
+template <class Real>
 struct ListDraft {
+  Skin skin;                  ///< of the new list
   std::vector<double> radii;  ///< [d_s]
   std::vector<Grid> grids;
-  PairList fresh;  ///< the new list; its `reference` has the positions
+  CarriedContacts<Real> contacts;  ///< of the old list
 };
 
 /// Adds the largest displacements of this step to those since the build, and decides whether the real
@@ -30,22 +33,27 @@ void measure_displacement(const std::optional<double>& skin, const std::int64_t&
                           const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
                           ListDisplacement& displacement);
 
-/// Chooses the skin and sorts the particles into bins.
+/// Chooses the skin and sorts the particles into bins. The reference positions of the list become those of
+/// now, and the cells crossed since the former reference are counted.
 template <class Numerics>
 void bin_particles(const std::optional<double>& skin, const std::int64_t& step, const Cell& cell,
-                   const ListDisplacement& displacement, const PairList& pairs,
+                   const ListDisplacement& displacement,
                    const std::vector<Particle<typename Numerics::Real, Numerics::spins>>& particles,
-                   ListDraft& draft);
+                   PairList& pairs, std::vector<Image>& image, ListDraft<typename Numerics::Real>& draft);
 
-/// Lists the pairs.
-void search_pairs(const Cell& cell, ListDraft& draft);
+/// Takes the contacts off the list.
+template <class Real>
+void pick_up_contacts(const PairList& pairs, const ContactState<Real>& contact_state, ListDraft<Real>& draft);
 
-/// Replaces the old list by the new one; keeps the contact state and the count of crossed cells.
+/// Lists the pairs, in the memory of the former list.
+template <class Real>
+void search_pairs(const std::int64_t& step, const Cell& cell, const ListDraft<Real>& draft, PairList& pairs);
+
+/// Puts the contacts on the new list.
 template <class Numerics>
-void adopt_list(const std::int64_t& step, ListDraft& draft, PairList& pairs,
-                Rows<typename Numerics::Real, Numerics::spins>& rows,
-                ContactState<typename Numerics::Real>& contact_state, std::vector<Image>& image,
-                ListDisplacement& displacement);
+void put_down_contacts(const PairList& pairs, ListDraft<typename Numerics::Real>& draft,
+                       Rows<typename Numerics::Real, Numerics::spins>& rows,
+                       ContactState<typename Numerics::Real>& contact_state, ListDisplacement& displacement);
 
 /// Adds the largest displacements of this step to those of the inner list, and decides whether the inner list
 /// must be built again.

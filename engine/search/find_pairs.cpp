@@ -4,9 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "engine/base/parallel.h"
+#include "engine/base/refill.h"
 #include "engine/base/require.h"
 
 namespace furnas {
@@ -228,7 +231,7 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
   for_chunks(across.size(), 1, [&](std::size_t piece, std::size_t, std::size_t) {
     for (const Across& a : across[piece]) larger[a.particle].fetch_add(1, std::memory_order_relaxed);
   });
-  list.first.resize(count + 1);
+  refill(list.first, count + 1);
   std::uint64_t rows = 0;
   for (std::size_t i = 0; i < count; ++i) {
     list.first[i] = static_cast<RowNumber>(rows);
@@ -237,8 +240,8 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
   require(rows < std::numeric_limits<RowNumber>::max(), "rows of the list fit in 32 bits");
   list.first[count] = static_cast<RowNumber>(rows);
 
-  list.partner.resize(rows);
-  list.quarter.resize(images ? rows : 0);
+  refill(list.partner, rows);
+  refill(list.quarter, images ? rows : 0);
   const auto put = [&](std::uint64_t row, const Found& found) {
     list.partner[row] = found.partner();
     if (images) list.quarter[row] = found.quarter();
@@ -267,12 +270,14 @@ void lay_out_rows(const std::vector<std::vector<Across>>& across, const std::vec
 }  // namespace
 
 std::vector<Grid> bin_classes(const std::vector<SizeClass>& classes, const Skin& skin, const Triangle& edges,
-                              const std::vector<Fraction>& positions) {
-  std::vector<Grid> grids;
-  for (const SizeClass& c : classes) {
+                              const std::vector<Fraction>& positions, std::vector<Grid> former) {
+  std::vector<Grid> grids = std::move(former);
+  grids.resize(classes.size());
+  for (std::size_t n = 0; n < classes.size(); ++n) {
+    const SizeClass& c = classes[n];
     const double radii = 2 * c.largest_radius;
-    grids.push_back(
-        make_grid(edges, (1 + 2 * tolerance) * (radii + skin(radii)), positions, c.first, c.last));
+    grids[n] = make_grid(edges, (1 + 2 * tolerance) * (radii + skin(radii)), positions, c.first, c.last,
+                         std::move(grids[n]));
   }
   return grids;
 }
@@ -288,21 +293,19 @@ void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std
 
 void index_incoming(PairList& list) {
   const std::size_t count = list.first.size() - 1;
-  std::vector<std::atomic<RowNumber>> place(count + 1);
+  // The rows of each partner are filled in from the end, as the bins of make_grid().
+  refill(list.incoming_first, count + 1, RowNumber{0});
+  const auto of_partner = [&](std::size_t k) {
+    return std::atomic_ref(list.incoming_first[list.partner[k]]);
+  };
   for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k)
-      place[list.partner[k] + 1].fetch_add(1, std::memory_order_relaxed);
+    for (std::size_t k = begin; k < end; ++k) of_partner(k).fetch_add(1, std::memory_order_relaxed);
   });
-  list.incoming_first.assign(count + 1, 0);
-  for (std::size_t j = 0; j < count; ++j) {
-    list.incoming_first[j + 1] = list.incoming_first[j] + place[j + 1];
-    place[j] = list.incoming_first[j];
-  }
-  list.incoming.resize(list.rows());
+  std::partial_sum(list.incoming_first.begin(), list.incoming_first.end(), list.incoming_first.begin());
+  refill(list.incoming, list.rows());
   for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
-      list.incoming[place[list.partner[k]].fetch_add(1, std::memory_order_relaxed)] =
-          static_cast<RowNumber>(k);
+      list.incoming[of_partner(k).fetch_sub(1, std::memory_order_relaxed) - 1] = static_cast<RowNumber>(k);
   });
   // The threads write in any order; sorting restores the order of the rows.
   for_chunks(count, 1024, [&](std::size_t begin, std::size_t end, std::size_t) {

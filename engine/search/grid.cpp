@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "engine/base/parallel.h"
+#include "engine/base/refill.h"
 #include "engine/base/require.h"
 
 namespace furnas {
@@ -50,37 +53,35 @@ std::array<std::int64_t, 3> bins_along(const std::array<double, 3>& heights, dou
 }  // namespace
 
 Grid make_grid(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
-               std::size_t first, std::size_t last) {
-  Grid grid;
+               std::size_t first, std::size_t last, Grid former) {
+  Grid grid = std::move(former);
   const Vec3<double> height = heights(edges);
   const std::array<double, 3> h{height.x, height.y, height.z};
   refuse_collapsed(h, cutoff);
   grid.cutoff = cutoff;
   grid.count = bins_along(h, cutoff, last - first);
+  const auto bin_of = [&](const Vec3<double>& s) {
+    return grid.bin(grid.coordinate(0, s.x), grid.coordinate(1, s.y), grid.coordinate(2, s.z));
+  };
 
+  // Each bin is filled from its end, so that start[bin] moves from the end of the bin to its beginning.
   const auto bins = static_cast<std::size_t>(grid.count[0] * grid.count[1] * grid.count[2]);
-  std::vector<std::atomic<std::uint32_t>> next(bins + 1);
-  std::vector<std::uint32_t> bin_of(last - first);
-  grid.entries.resize(last - first + Grid::spare);
+  refill(grid.start, bins + 1, 0U);
+  refill(grid.entries, last - first + Grid::spare);
   constexpr std::size_t chunk = 1024;
+  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t n = begin; n < end; ++n)
+      std::atomic_ref(grid.start[bin_of(in_unit_cell(positions[first + n]))])
+          .fetch_add(1, std::memory_order_relaxed);
+  });
+  std::partial_sum(grid.start.begin(), grid.start.end(), grid.start.begin());
   for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t n = begin; n < end; ++n) {
       const Vec3<double> s = in_unit_cell(positions[first + n]);
-      bin_of[n] = static_cast<std::uint32_t>(
-          grid.bin(grid.coordinate(0, s.x), grid.coordinate(1, s.y), grid.coordinate(2, s.z)));
-      next[bin_of[n]].fetch_add(1, std::memory_order_relaxed);
+      const std::uint32_t behind =
+          std::atomic_ref(grid.start[bin_of(s)]).fetch_sub(1, std::memory_order_relaxed);
+      grid.entries[behind - 1] = {s, static_cast<std::uint32_t>(first + n)};
     }
-  });
-  grid.start.resize(bins + 1);
-  std::uint32_t sum = 0;
-  for (std::size_t b = 0; b <= bins; ++b) {
-    grid.start[b] = sum;
-    sum += next[b].exchange(sum, std::memory_order_relaxed);
-  }
-  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t n = begin; n < end; ++n)
-      grid.entries[next[bin_of[n]].fetch_add(1, std::memory_order_relaxed)] = {
-          in_unit_cell(positions[first + n]), static_cast<std::uint32_t>(first + n)};
   });
   return grid;
 }

@@ -39,10 +39,10 @@ struct Grid {
   }
 };
 
-/// Sorts particles [first, last) into bins. Throws NumericalFailure if the thickness of the cell is a
-/// thirtieth of the cutoff or less, or if its edges are not finite.
+/// Sorts particles [first, last) into bins; uses the memory of a `former` grid. Throws NumericalFailure if
+/// the thickness of the cell is a thirtieth of the cutoff or less, or if its edges are not finite.
 Grid make_grid(const Triangle& edges, double cutoff, const std::vector<Fraction>& positions,
-               std::size_t first, std::size_t last);
+               std::size_t first, std::size_t last, Grid former = {});
 
 /// A bin along one edge of the grid, which continues periodically beyond the cell.
 struct Wrapped {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/refill.h"
 #include "engine/base/vec3.h"
 #include "engine/state/cell.h"
 #include "engine/state/fraction.h"
@@ -30,9 +31,10 @@ struct ContactState {
 
   /// Resets the state to that of pairs that have never touched.
   void clear(std::size_t pairs, std::size_t particles, bool friction) {
-    springs.assign(friction ? pairs : 0, {});
-    touching.assign(pairs, 0);
-    contacts = std::vector<ContactCount>(particles);
+    refill(springs, friction ? pairs : 0, {});
+    refill(touching, pairs, std::uint8_t{0});
+    if (contacts.size() != particles) contacts = std::vector<ContactCount>(particles);
+    for (ContactCount& count : contacts) count.store(0, std::memory_order_relaxed);
     loaded.assign(particles, has_load);
   }
 

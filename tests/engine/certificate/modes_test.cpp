@@ -18,14 +18,14 @@ using test::chain;
 using test::push;
 using test::r;
 
-/// The backbone of all particles of a packing, and what it answers.
-struct Answer {
+/// The backbone of all particles of a packing, with its modes and elastic constants.
+struct Spectrum {
   ContactNetwork network;
   Backbone backbone;
   Modes modes;
   StrainMatrix constants;
 
-  Answer(const Packing& p, double friction, CellFreedom freedom = CellFreedom::triclinic, double kt = 0.7)
+  Spectrum(const Packing& p, double friction, CellFreedom freedom = CellFreedom::triclinic, double kt = 0.7)
       : network(contact_network(
             p, {.law = HookeSynchronized{{.tangential_stiffness = kt, .friction = friction}}})),
         backbone(find_backbone(network, p.species, {0, 1})) {
@@ -57,7 +57,7 @@ TEST(Elasticity, OfFaceCentredCubic) {
     const Packing crystals[] = {face_centred_primitive(r), face_centred(r, 1), face_centred(r, 2),
                                 face_centred(r, 3)};
     for (const Packing& crystal : crystals) {
-      const Answer answer(crystal, kt > 0 ? 0.5 : 0, CellFreedom::triclinic, kt);
+      const Spectrum answer(crystal, kt > 0 ? 0.5 : 0, CellFreedom::triclinic, kt);
       // The primitive cell stands on another axis: it has the same moduli.
       if (crystal.size() > 1) {
         EXPECT_LT((answer.constants - expected).norm(), 1e-11) << answer.constants;
@@ -83,15 +83,15 @@ TEST(Elasticity, OfFaceCentredCubic) {
 TEST(Elasticity, OfSimpleCubicNeedsFriction) {
   const double p = push / (r * r);
   for (int cells : {1, 2, 3}) {
-    const Answer smooth(simple_cubic(r, cells), 0);
+    const Spectrum smooth(simple_cubic(r, cells), 0);
     EXPECT_LT((smooth.constants - cubic(1 / r, p, -p)).norm(), 1e-11) << cells;
     EXPECT_NEAR(moduli_of(smooth.constants).bulk, 1 / (3 * r) + 2 * push / (3 * r * r), 1e-11);
     EXPECT_GE(smooth.modes.negative, 3);
-    const Answer rough(simple_cubic(r, cells), 0.5);
+    const Spectrum rough(simple_cubic(r, cells), 0.5);
     EXPECT_LT((rough.constants - cubic(1 / r, p, 0.7 / (2 * r) - p)).norm(), 1e-11) << cells;
     EXPECT_EQ(rough.modes.negative, 0) << cells;
   }
-  const Answer one(simple_cubic(r, 1), 0);
+  const Spectrum one(simple_cubic(r, 1), 0);
   EXPECT_EQ(one.modes.negative, 3);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(one.modes.lowest[std::size_t(k)], -12 * push / r, 1e-13);
 }
@@ -100,7 +100,7 @@ TEST(Elasticity, OfSimpleCubicNeedsFriction) {
 // directions, q = 2 pi m/n without m = 0. Counted both by the dense matrix and by the factors.
 TEST(Modes, OfAChainThatBuckles) {
   for (int length : {4, 12, 40}) {
-    const Answer answer(chain(length), 0, CellFreedom::fixed);
+    const Spectrum answer(chain(length), 0, CellFreedom::fixed);
     EXPECT_EQ(answer.modes.negative, 2 * (length - 1)) << length;
     EXPECT_EQ(answer.modes.unstable(), 2 * (length - 1)) << length << ": it is in balance";
     const auto wave = [&](int m) {
@@ -119,7 +119,7 @@ TEST(Modes, OfAChainThatBuckles) {
 // So many pivots are negative that L D L^T counts them instead of holds.
 TEST(Modes, OfALongChainAreCountedByItsPivots) {
   constexpr int length = 400;
-  const Modes modes = Answer(chain(length), 0, CellFreedom::fixed).modes;
+  const Modes modes = Spectrum(chain(length), 0, CellFreedom::fixed).modes;
   EXPECT_TRUE(modes.valid);
   EXPECT_EQ(modes.negative, 2 * (length - 1));
 }
@@ -137,7 +137,7 @@ TEST(Modes, AreOpenWhereTheImbalanceIsAsLargeAsThePrestress) {
     std::int64_t unstable;
   };
   for (const auto& [f, g, unstable] : {Row{0.02, 0.02, 2}, {0.02, 0.019, 2}, {0.02, 0.001, 0}}) {
-    const Modes modes = Answer(row(f, g), 0, CellFreedom::fixed).modes;
+    const Modes modes = Spectrum(row(f, g), 0, CellFreedom::fixed).modes;
     ASSERT_EQ(modes.negative, 2);
     for (std::size_t k : {0u, 1u}) {
       EXPECT_NEAR(modes.lowest[k], -2 * (f / (1 - f) + g / (1 - g)), 1e-14);
@@ -178,7 +178,7 @@ TEST(Modes, OfTwoPiecesAreFlat) {
 // Maxwell's count of crystals: contacts a sphere are 3 (simple cubic) and 6 (face-centred).
 TEST(Constraints, AreCountedWithTheCell) {
   const auto count = [](const Packing& crystal, double friction, CellFreedom freedom) {
-    const Answer answer(crystal, friction);
+    const Spectrum answer(crystal, friction);
     return count_constraints(answer.network, answer.backbone, freedom);
   };
   const Packing crystal = simple_cubic(r, 3);
@@ -190,7 +190,7 @@ TEST(Constraints, AreCountedWithTheCell) {
   EXPECT_EQ(count(crystal, 0.5, CellFreedom::triclinic).constraints, 3 * 81);
   EXPECT_EQ(count(crystal, 0.5, CellFreedom::triclinic).needed, 6 * 27 + 3);
   // One that slides holds two components.
-  Answer sliding(crystal, 0.5);
+  Spectrum sliding(crystal, 0.5);
   sliding.network.contacts[5].sliding = true;
   EXPECT_EQ(count_constraints(sliding.network, sliding.backbone, CellFreedom::triclinic).constraints,
             3 * 81 - 1);

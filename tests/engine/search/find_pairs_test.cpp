@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/require.h"
-#include "engine/search/merge.h"
+#include "engine/search/carry_over.h"
 #include "engine/trials/listed.h"
 #include "tests/engine/support/brute_force.h"
 #include "tests/engine/support/property.h"
@@ -44,6 +44,25 @@ std::map<TouchName, std::uint64_t> rows_by_name(const Packing& p, const PairList
       RC_ASSERT(rows.emplace(test::name_of(p, c), k).second);
     }
   return rows;
+}
+
+// Whatever the former list and its grids held, nothing of it remains.
+TEST(FindPairs, InTheMemoryOfAFormerListGivesTheSameList) {
+  EXPECT_TRUE(test::holds(500, [] {
+    const auto [then, former_skin] = random_case();
+    const auto [now, skin] = random_case();
+    PairList list = listed(then, former_skin);
+    std::vector<Grid> grids = bin_classes(list.classes, former_skin, then.cell.edges, then.fraction);
+    list.classes = size_classes(now.radius);
+    list.skin = skin;
+    list.reference = now.fraction;
+    grids = bin_classes(list.classes, skin, now.cell.edges, now.fraction, std::move(grids));
+    find_pairs(grids, now.cell.edges, now.radius, list);
+    const PairList fresh = listed(now, skin);
+    RC_ASSERT(list.first == fresh.first && list.partner == fresh.partner && list.quarter == fresh.quarter);
+    RC_ASSERT(list.incoming_first == fresh.incoming_first && list.incoming == fresh.incoming);
+    RC_ASSERT(list.edges == fresh.edges);
+  }));
 }
 
 TEST(FindPairs, ListsExactlyThePairsWithinTheSkin) {

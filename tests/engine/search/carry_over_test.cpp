@@ -1,4 +1,4 @@
-#include "engine/search/merge.h"
+#include "engine/search/carry_over.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TouchName name_after(const Packing& now, std::uint32_t i, std::uint32_t j, const
 }
 
 // Old rows and new ones, each image of a pair apart, across faces and with another skin.
-TEST(MergeMemory, StaysWithThePairAndItsImage) {
+TEST(CarryOver, StaysWithThePairAndItsImage) {
   EXPECT_TRUE(test::holds(2000, [] {
     Dice dice(test::any_seed());
     test::RandomPacking wanted;
@@ -65,7 +65,8 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
       }
 
     const PairList fresh = listed(now, {dice.between(0, 0.5), 0});
-    merge_contact_state(old, contact_state, fresh, now.fraction, true);
+    enter_contacts(contacts_of_rows(old, contact_state, now.fraction), fresh, now.fraction, true,
+                   contact_state);
     RC_ASSERT(contact_state.springs.size() == fresh.rows() && contact_state.touching.size() == fresh.rows());
     std::vector<std::uint32_t> contacts(now.size());
     for (std::uint32_t i = 0; i < now.size(); ++i)
@@ -86,7 +87,7 @@ TEST(MergeMemory, StaysWithThePairAndItsImage) {
   }));
 }
 
-TEST(MergeMemory, IsEmptyWhenThereWasNoList) {
+TEST(CarryOver, IsEmptyWhenThereWasNoList) {
   Packing p;
   p.resize(2);
   p.radius = {0.5, 0.5};
@@ -94,7 +95,7 @@ TEST(MergeMemory, IsEmptyWhenThereWasNoList) {
   p.fraction[1] = to_fraction({0.1, 0, 0});
   const PairList fresh = listed(p, {0, 0});
   ContactState<double> contact_state;
-  merge_contact_state({}, contact_state, fresh, p.fraction, true);
+  enter_contacts(contacts_of_rows({}, contact_state, p.fraction), fresh, p.fraction, true, contact_state);
   ASSERT_EQ(contact_state.springs.size(), 1u);
   EXPECT_EQ(contact_state.springs[0].history, Vec3<double>{});
   EXPECT_EQ(contact_state.touching, std::vector<std::uint8_t>(1));
