@@ -105,7 +105,7 @@ SmallMotion::SmallMotion(const ContactNetwork& network, const Backbone& backbone
       volume_(network.volume),
       friction_(network.springs.friction()),
       arms_meet_(arms_meet(network.springs.law)),
-      twists_(twists(network.springs.law)) {
+      twists_(is_synchronized(network.springs.law)) {
   bonds_ = bonds_of(network, backbone, per_particle_);
   for (const Bond& b : bonds_) limit_.push_back(b.sliding);
   bridges_ = bridges_of(bonds_, per_particle_, per_particle_ * particles_);

@@ -18,7 +18,7 @@ Stiffness::Stiffness(const ContactNetwork& network, const Backbone& backbone, do
       volume_(network.volume),
       pressure_(pressure),
       arms_meet_(arms_meet(network.springs.law)),
-      twists_(twists(network.springs.law)) {
+      twists_(is_synchronized(network.springs.law)) {
   bonds_ = bonds_of(network, backbone, per_particle_);
   bridges_ = bridges_of(bonds_, per_particle_, unknowns_);
 }

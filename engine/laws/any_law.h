@@ -44,13 +44,9 @@ inline bool arms_meet(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.arms_meet; }, any);
 }
 
-/// Whether the history of a contact turns with its spheres about the normal.
-inline bool twists(const AnyLaw& any) {
-  return std::visit([](const auto& law) { return law.synchronized; }, any);
-}
-
-/// Whether dashpots use velocities predicted for the end of the step; otherwise those of its middle.
-inline bool predicts_velocities(const AnyLaw& any) {
+/// Whether dashpots use velocities predicted for the end of the step, otherwise those of its middle, and the
+/// history of a contact turns with its spheres about the normal.
+inline bool is_synchronized(const AnyLaw& any) {
   return std::visit([](const auto& law) { return law.synchronized; }, any);
 }
 

@@ -46,7 +46,7 @@ double pair_frequency(const AnyLaw& law, const Touch<double>& pair) {
 }
 
 double largest_stable_step(const AnyLaw& law, const Touch<double>& pair, int contacts) {
-  return stable_step_of(law, pair, contacts, predicts_velocities(law) ? 2 : 1);
+  return stable_step_of(law, pair, contacts, is_synchronized(law) ? 2 : 1);
 }
 
 double largest_stable_step_of_midway(const AnyLaw& law, const Touch<double>& pair, int contacts) {
