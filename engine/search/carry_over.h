@@ -22,9 +22,9 @@ std::array<std::int8_t, 3> image_seen_from_j(const std::array<std::int8_t, 3>& i
 /// A contact on its way from one list to the next.
 template <class Real>
 struct CarriedContact {
-  std::uint32_t i, j;                  ///< particles, as in PairList
-  std::array<std::int8_t, 3> image{};  ///< as in image_of_row()
-  Vec3<Real> history;                  ///< as in Spring; zero without friction
+  std::uint32_t i, j;                ///< particles, as in PairList
+  std::array<std::int8_t, 3> image;  ///< as in image_of_row()
+  Vec3<Real> history;                ///< as in Spring; zero without friction
 };
 
 /// Contacts in the order of their rows, those of each 1024 particles apart.

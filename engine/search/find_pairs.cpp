@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "engine/base/counting_sort.h"
 #include "engine/base/parallel.h"
 #include "engine/base/refill.h"
 #include "engine/base/require.h"
@@ -293,20 +293,10 @@ void find_pairs(const std::vector<Grid>& grids, const Triangle& edges, const std
 
 void index_incoming(PairList& list) {
   const std::size_t count = list.first.size() - 1;
-  // The rows of each partner are filled in from the end, as the bins of make_grid().
-  refill(list.incoming_first, count + 1, RowNumber{0});
-  const auto of_partner = [&](std::size_t k) {
-    return std::atomic_ref(list.incoming_first[list.partner[k]]);
-  };
-  for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k) of_partner(k).fetch_add(1, std::memory_order_relaxed);
-  });
-  std::partial_sum(list.incoming_first.begin(), list.incoming_first.end(), list.incoming_first.begin());
   refill(list.incoming, list.rows());
-  for_chunks(list.rows(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k)
-      list.incoming[of_partner(k).fetch_sub(1, std::memory_order_relaxed) - 1] = static_cast<RowNumber>(k);
-  });
+  counting_sort(
+      list.rows(), count, list.incoming_first, [&](std::size_t k) { return list.partner[k]; },
+      [&](std::size_t place, std::size_t k) { list.incoming[place] = static_cast<RowNumber>(k); });
   // The threads write in any order; sorting restores the order of the rows.
   for_chunks(count, 1024, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t j = begin; j < end; ++j)

@@ -1,13 +1,11 @@
 #include "engine/search/grid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
-#include "engine/base/parallel.h"
+#include "engine/base/counting_sort.h"
 #include "engine/base/refill.h"
 #include "engine/base/require.h"
 
@@ -60,28 +58,16 @@ Grid make_grid(const Triangle& edges, double cutoff, const std::vector<Fraction>
   refuse_collapsed(h, cutoff);
   grid.cutoff = cutoff;
   grid.count = bins_along(h, cutoff, last - first);
-  const auto bin_of = [&](const Vec3<double>& s) {
+
+  const auto position_of = [&](std::size_t n) { return in_unit_cell(positions[first + n]); };
+  const auto bin_of = [&](std::size_t n) {
+    const Vec3<double> s = position_of(n);
     return grid.bin(grid.coordinate(0, s.x), grid.coordinate(1, s.y), grid.coordinate(2, s.z));
   };
-
-  // Each bin is filled from its end, so that start[bin] moves from the end of the bin to its beginning.
   const auto bins = static_cast<std::size_t>(grid.count[0] * grid.count[1] * grid.count[2]);
-  refill(grid.start, bins + 1, 0U);
   refill(grid.entries, last - first + Grid::spare);
-  constexpr std::size_t chunk = 1024;
-  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t n = begin; n < end; ++n)
-      std::atomic_ref(grid.start[bin_of(in_unit_cell(positions[first + n]))])
-          .fetch_add(1, std::memory_order_relaxed);
-  });
-  std::partial_sum(grid.start.begin(), grid.start.end(), grid.start.begin());
-  for_chunks(last - first, chunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const Vec3<double> s = in_unit_cell(positions[first + n]);
-      const std::uint32_t behind =
-          std::atomic_ref(grid.start[bin_of(s)]).fetch_sub(1, std::memory_order_relaxed);
-      grid.entries[behind - 1] = {s, static_cast<std::uint32_t>(first + n)};
-    }
+  counting_sort(last - first, bins, grid.start, bin_of, [&](std::size_t place, std::size_t n) {
+    grid.entries[place] = {position_of(n), static_cast<std::uint32_t>(first + n)};
   });
   return grid;
 }

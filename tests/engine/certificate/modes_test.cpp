@@ -57,17 +57,17 @@ TEST(Elasticity, OfFaceCentredCubic) {
     const Packing crystals[] = {face_centred_primitive(r), face_centred(r, 1), face_centred(r, 2),
                                 face_centred(r, 3)};
     for (const Packing& crystal : crystals) {
-      const Spectrum answer(crystal, kt > 0 ? 0.5 : 0, CellFreedom::triclinic, kt);
+      const Spectrum spectrum(crystal, kt > 0 ? 0.5 : 0, CellFreedom::triclinic, kt);
       // The primitive cell stands on another axis: it has the same moduli.
       if (crystal.size() > 1) {
-        EXPECT_LT((answer.constants - expected).norm(), 1e-11) << answer.constants;
+        EXPECT_LT((spectrum.constants - expected).norm(), 1e-11) << spectrum.constants;
       }
-      EXPECT_TRUE(answer.modes.valid);
-      EXPECT_EQ(answer.modes.negative, 0);
-      EXPECT_GT(answer.modes.lowest.front(), 1e-3);
-      EXPECT_LT(answer.modes.residual, 1e-9) << "the eigenvalues are iterated to 1e-10";
+      EXPECT_TRUE(spectrum.modes.valid);
+      EXPECT_EQ(spectrum.modes.negative, 0);
+      EXPECT_GT(spectrum.modes.lowest.front(), 1e-3);
+      EXPECT_LT(spectrum.modes.residual, 1e-9) << "the eigenvalues are iterated to 1e-10";
       // T35: K = (2 sqrt 2/3) (k/r + 2 k delta/r^2), whatever the friction.
-      const Moduli moduli = moduli_of(answer.constants);
+      const Moduli moduli = moduli_of(spectrum.constants);
       const double first = (expected(0, 0) - expected(0, 1)) / 2;
       const double second = expected(3, 3);
       EXPECT_NEAR(moduli.bulk, 2 * std::sqrt(2) / 3 * (1 / r + 2 * push / (r * r)), 1e-11);
@@ -100,14 +100,14 @@ TEST(Elasticity, OfSimpleCubicNeedsFriction) {
 // directions, q = 2 pi m/n without m = 0. Counted both by the dense matrix and by the factors.
 TEST(Modes, OfAChainThatBuckles) {
   for (int length : {4, 12, 40}) {
-    const Spectrum answer(chain(length), 0, CellFreedom::fixed);
-    EXPECT_EQ(answer.modes.negative, 2 * (length - 1)) << length;
-    EXPECT_EQ(answer.modes.unstable(), 2 * (length - 1)) << length << ": it is in balance";
+    const Spectrum spectrum(chain(length), 0, CellFreedom::fixed);
+    EXPECT_EQ(spectrum.modes.negative, 2 * (length - 1)) << length;
+    EXPECT_EQ(spectrum.modes.unstable(), 2 * (length - 1)) << length << ": it is in balance";
     const auto wave = [&](int m) {
       return -2 * push / r * (1 - std::cos(2 * std::numbers::pi * m / length));
     };
     // The shortest wave is the lowest. Of few unknowns six are seen, of many all that are negative.
-    const auto& lowest = answer.modes.lowest;
+    const auto& lowest = spectrum.modes.lowest;
     EXPECT_NEAR(lowest.front(), wave(length / 2), length < 40 ? 1e-14 : 1e-12) << length;
     if (length < 40) continue;
     for (int m = 1; m < length / 2; ++m)  // two of each wave, in two directions
@@ -178,8 +178,8 @@ TEST(Modes, OfTwoPiecesAreFlat) {
 // Maxwell's count of crystals: contacts a sphere are 3 (simple cubic) and 6 (face-centred).
 TEST(Constraints, AreCountedWithTheCell) {
   const auto count = [](const Packing& crystal, double friction, CellFreedom freedom) {
-    const Spectrum answer(crystal, friction);
-    return count_constraints(answer.network, answer.backbone, freedom);
+    const Spectrum spectrum(crystal, friction);
+    return count_constraints(spectrum.network, spectrum.backbone, freedom);
   };
   const Packing crystal = simple_cubic(r, 3);
   EXPECT_EQ(count(crystal, 0, CellFreedom::triclinic).constraints, 81);
