@@ -113,9 +113,6 @@ std::optional<Conflict> conflict_of_phi_error(const Case& c) {
   if (c.stop.criterion == "paper")
     return with("stop.criterion = \"paper\"", "that criterion uses the kinetic energy alone; leave one out");
   if (c.compaction.cell == "fixed") return with("compaction.cell = \"fixed\"", "there phi does not change");
-  if (c.compaction.pressure.size() > 1)
-    return with("several values of compaction.pressure",
-                "the next pressure waits until the packing rests; allowed: one pressure");
   return {};
 }
 

@@ -105,8 +105,8 @@ std::vector<Key> contact() {
 std::vector<Key> compaction() {
   return {
       plain("compaction", "pressure", "k_n/d_s", above_to(0, 0.1),
-            "applied pressure p_a, or a list of pressures at which the packing comes to rest in turn; beyond "
-            "0.1 overlaps are no longer small",
+            "applied pressure p_a, or a list of pressures at which the packing comes to rest in turn, or "
+            "settles if stop.phi_error is set; beyond 0.1 overlaps are no longer small",
             [](Case& c) -> Field { return &c.compaction.pressure; }),
       plain("compaction", "cell", "", Choices{"triclinic", "orthorhombic", "cubic", "fixed"},
             "what may change: edges and angles (triclinic), edges (orthorhombic), the volume alone (cubic), "

@@ -20,7 +20,7 @@ struct Result {
   std::string version;                     ///< of furnas; another version may give other bits
   Measures measures;                       ///< at the end
   RestReport rest;                         ///< state of the criteria of rest at the end
-  std::vector<RestingState> reached;       ///< each pressure at which the packing came to rest
+  std::vector<RestingState> reached;       ///< each pressure at which it came to rest or settled
   double phi_bound = RestReport::unknown;  ///< bound on the further change of phi; infinite if not known
   std::int64_t quenches{};                 ///< times that all motion was set to zero (Quench)
   std::int64_t evaluations{};              ///< times that the minimizer computed all forces

@@ -103,7 +103,7 @@ const ResultField fields[] = {
     {{"sliding_share", "", "share of the contacts", "those at the Coulomb limit"}, FURNAS_MEASURE(m.sliding_share)},
     {{"largest_overlap", "", "largest of the contacts", "overlap over the smaller radius of the pair"}, FURNAS_MEASURE(m.largest_overlap)},
     {{"mean_force", "k_n d_s", "mean over the contacts", "size of the force of a contact, normal and tangential"}, FURNAS_MEASURE(m.mean_force)},
-    {{"resting_states", "", "list", "each pressure at which the packing came to rest"}, resting_states},
+    {{"resting_states", "", "list", "each pressure at which the packing came to rest or settled"}, resting_states},
     {{"particles", "", "total", "spheres"}, FURNAS_FIELD(r.large + r.small)},
     {{"large", "", "total", "large spheres; null in a polydisperse packing, as is every count of a species"}, FURNAS_FIELD(of_species(r, r.large))},
     {{"small", "", "total", "small spheres; null in a polydisperse packing"}, FURNAS_FIELD(of_species(r, r.small))},
@@ -150,8 +150,10 @@ const RattlerField rattler_table[] = {
 
 const RestingField resting_table[] = {
     {{"pressure", "k_n/d_s", "bath", "p_a"}, [](const RestingState& s, const Result&) -> Json { return s.pressure; }},
-    {{"phi_J", "", "packing", "packing fraction at rest under this pressure"}, [](const RestingState& s, const Result&) -> Json { return s.phi; }},
-    {{"step", "", "run", "time step at which the packing was at rest"}, [](const RestingState& s, const Result&) -> Json { return s.step; }},
+    {{"phi_J", "", "packing", "packing fraction at rest under this pressure; null if the packing settled"}, [](const RestingState& s, const Result&) -> Json { return s.phi_bound == 0 ? Json(s.phi) : Json(); }},
+    {{"phi", "", "packing", "packing fraction under this pressure, at rest or settled"}, [](const RestingState& s, const Result&) -> Json { return s.phi; }},
+    {{"phi_bound", "", "packing", "bound on the further change of phi of a packing that settled; null at rest"}, [](const RestingState& s, const Result&) -> Json { return s.phi_bound == 0 ? Json() : Json(s.phi_bound); }},
+    {{"step", "", "run", "time step at which the packing was at rest, or had settled"}, [](const RestingState& s, const Result&) -> Json { return s.step; }},
     {{"Z_backbone", "", "per backbone particle", "coordination of the backbone then"}, [](const RestingState& s, const Result&) -> Json { return s.Z_backbone; }},
     {{"large_rattlers", "", "total", "large spheres that were rattlers, by the threshold that applies"}, [](const RestingState& s, const Result& r) { return of_species(r, s.large_rattlers); }},
     {{"small_rattlers", "", "total", "small spheres that were rattlers, by the threshold that applies"}, [](const RestingState& s, const Result& r) { return of_species(r, s.small_rattlers); }},

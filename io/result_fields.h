@@ -23,7 +23,8 @@ struct RattlerField {
   nlohmann::ordered_json (*value)(const RattlerCount&, const Result&);
 };
 
-/// The same for an entry of "resting_states", one for each pressure at which the packing came to rest.
+/// The same for an entry of "resting_states", one for each pressure at which the packing came to rest or
+/// settled.
 struct RestingField {
   OutputField about;
   nlohmann::ordered_json (*value)(const RestingState&, const Result&);

@@ -18,7 +18,7 @@ namespace furnas {
 struct PackingSource {
   Packing packing;
   std::optional<Case> of_case;
-  std::vector<RestingState> reached;  ///< the pressures at which the run had come to rest
+  std::vector<RestingState> reached;  ///< the pressures at which the run had come to rest or settled
 };
 
 /// The folder of a run (its newest checkpoint, with all contacts) or a file of any format; from a file with

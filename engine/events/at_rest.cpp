@@ -103,9 +103,9 @@ std::string RestWatch::furthest() const {
   return worst && worst->share >= 1 ? worst->name : "the window";
 }
 
-RestingState resting_state(double pressure, std::int64_t step, const Measures& measures) {
+RestingState resting_state(double pressure, std::int64_t step, const Measures& measures, double phi_bound) {
   const RattlerCount& backbone = measures.backbone();
-  return {pressure, measures.phi, step, backbone.coordination, backbone.large, backbone.small};
+  return {pressure, measures.phi, step, backbone.coordination, backbone.large, backbone.small, phi_bound};
 }
 
 std::int64_t AtRest::next(std::int64_t step) const {
@@ -140,14 +140,20 @@ void AtRest::restore(const std::string& saved) {
     throw InputError("a run remembers \"" + saved + "\" where it must remember its final quenches");
 }
 
-bool NextPressure::due(Observation& now) { return !baths_.empty() && watch_.look(now).resting; }
+bool NextPressure::due(Observation& now) { return !is_last() && watch_.look(now).resting; }
 
 std::optional<Verdict> NextPressure::fire(Observation& now) {
-  reached_.push_back(resting_state(now.simulation().model().barostat.pressure, now.step(), now.measures()));
+  go_on(now, 0);
+  return {};
+}
+
+void NextPressure::go_on(Observation& now, double phi_bound) {
+  require(!is_last(), "a run goes on to a further pressure of its list");
+  reached_.push_back(
+      resting_state(now.simulation().model().barostat.pressure, now.step(), now.measures(), phi_bound));
   now.simulation().set_bath(baths_.front());
   baths_.erase(baths_.begin());
   watch_.restart();
-  return {};
 }
 
 }  // namespace furnas

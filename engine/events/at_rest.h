@@ -112,7 +112,7 @@ class RestWatch {
   RestReport report_;
 };
 
-/// A pressure at which the packing came to rest.
+/// A pressure at which the packing came to rest, or settled.
 struct RestingState {
   double pressure{};  ///< [k_n/d_s]
   double phi{};
@@ -120,13 +120,15 @@ struct RestingState {
   double Z_backbone{};            ///< coordination of the backbone
   std::int64_t large_rattlers{};  ///< by the threshold of the backbone, as the next
   std::int64_t small_rattlers{};
+  double phi_bound = 0;  ///< bound on the further change of phi of a packing that settled; 0 at rest
 };
 
 /// The state in which a packing is now, under this pressure [k_n/d_s].
-RestingState resting_state(double pressure, std::int64_t step, const Measures& measures);
+RestingState resting_state(double pressure, std::int64_t step, const Measures& measures,
+                           double phi_bound = 0);
 
 /// When the packing rests and further pressures follow, records the resting state and sets the bath of the
-/// next pressure.
+/// next pressure. A packing that settles goes on in the same way (engine/events/settle.h).
 class NextPressure final : public Event {
  public:
   NextPressure(RestWatch& watch, std::vector<Barostat> baths, std::vector<RestingState>& reached)
@@ -135,6 +137,12 @@ class NextPressure final : public Event {
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
   std::optional<Verdict> fire(Observation& now) override;
+
+  /// Whether no further pressure follows.
+  bool is_last() const { return baths_.empty(); }
+
+  /// Records the state of the packing, whose phi can change by `phi_bound`, and sets the next bath.
+  void go_on(Observation& now, double phi_bound);
 
  private:
   RestWatch& watch_;

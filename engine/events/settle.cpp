@@ -45,8 +45,12 @@ PhiRecord::Span PhiRecord::since(std::int64_t step) const {
   return all;
 }
 
-void Settle::record(const Observation& now, const RestReport& r, double phi) {
+void Settle::record(Observation& now, const RestReport& r, double phi) {
   constexpr double carries = 0.1, has_lost_it = 0.5;  // stress errors, as in RestReport
+  if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
+    pressure_ = pressure;
+    past_.clear();
+  }
   if (past_.empty()) {
     if (r.backbone == 0 || !(r.stress_error < carries)) return;
     loaded_at_ = now.step();
@@ -86,8 +90,15 @@ bool Settle::due(Observation& now) {
   return bound_ < watch_.criteria().phi_error;
 }
 
+std::optional<Verdict> Settle::fire(Observation& now) {
+  if (next_.is_last()) return Verdict::settled;
+  next_.go_on(now, bound_);
+  bound_ = RestReport::unknown;
+  return {};
+}
+
 std::string Settle::saved() {
-  std::string text = exact_text(loaded_at_, bound_);
+  std::string text = exact_text(pressure_, loaded_at_, bound_);
   for (const PhiRecord::Span& s : past_.spans())
     text.append(1, ' ').append(exact_text(s.looks, s.end, s.low, s.high, s.stress_error));
   return text;
@@ -96,13 +107,13 @@ std::string Settle::saved() {
 void Settle::restore(const std::string& saved) {
   if (saved.empty()) return;
   Numbers numbers(saved);
-  bool read = numbers.take(loaded_at_, bound_) && loaded_at_ >= 0 && bound_ >= 0;
+  bool read = numbers.take(pressure_, loaded_at_, bound_) && pressure_ >= 0 && loaded_at_ >= 0 && bound_ >= 0;
   std::vector<PhiRecord::Span> spans;
   for (PhiRecord::Span s; read && numbers.more(); spans.push_back(s))
     read = numbers.take(s.looks, s.end, s.low, s.high, s.stress_error) && s.looks > 0 && s.low <= s.high;
   if (!read || spans.size() > PhiRecord::most_spans)
     throw InputError("a run remembers \"" + saved.substr(0, 200) +
-                     "\" where it must remember a step, a bound, and up to " +
+                     "\" where it must remember a pressure, a step, a bound, and up to " +
                      std::to_string(PhiRecord::most_spans) +
                      " spans of looks with a step, two fractions and an error of the stress");
   past_.restore(std::move(spans));

@@ -35,7 +35,8 @@ class PhiRecord {
   std::vector<Span> spans_;  // oldest first
 };
 
-/// Ends the run as settled when a bound on the further change of phi is below criteria.phi_error.
+/// When a bound on the further change of phi is below criteria.phi_error, ends the run as settled, or goes on
+/// to the next pressure if one follows.
 ///
 /// The bound is computed at the end of each window in which the stress is within 10 times its limit and the
 /// backbone does not gain speed; with friction, balance and energy must also be within 100 times their
@@ -51,14 +52,14 @@ class PhiRecord {
 /// often it was correct.
 class Settle final : public Event {
  public:
-  /// `quench` must come before this event in the order of events. `least_age`: steps under pressure below
-  /// which no bound is given.
-  Settle(RestWatch& watch, const Quench& quench, std::int64_t least_age)
-      : watch_(watch), quench_(quench), least_age_(least_age) {}
+  /// `next` and `quench` must come before this event in the order of events. `least_age`: steps under
+  /// pressure below which no bound is given.
+  Settle(RestWatch& watch, NextPressure& next, const Quench& quench, std::int64_t least_age)
+      : watch_(watch), next_(next), quench_(quench), least_age_(least_age) {}
   const char* name() const override { return "settle"; }
   std::int64_t next(std::int64_t step) const override { return next_multiple(step, watch_.period()); }
   bool due(Observation& now) override;
-  std::optional<Verdict> fire(Observation&) override { return Verdict::settled; }
+  std::optional<Verdict> fire(Observation& now) override;
 
   std::string saved() override;
   void restore(const std::string& saved) override;
@@ -68,12 +69,14 @@ class Settle final : public Event {
   double bound() const { return bound_; }
 
  private:
-  void record(const Observation& now, const RestReport& report, double phi);
+  void record(Observation& now, const RestReport& report, double phi);
   double ranges_allowed(const RestReport& report, bool friction) const;
 
   RestWatch& watch_;
+  NextPressure& next_;
   const Quench& quench_;
   std::int64_t least_age_;
+  double pressure_ = 0;         ///< of the bath at the last look [k_n/d_s]
   PhiRecord past_;              ///< since the packing first carried the pressure
   std::int64_t loaded_at_ = 0;  ///< step at which the packing first carried the pressure
   double bound_ = RestReport::unknown;

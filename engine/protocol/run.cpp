@@ -96,8 +96,9 @@ RunState ProtocolRun::state() const {
 
 std::vector<RestingState> ProtocolRun::reached(Verdict verdict) {
   std::vector<RestingState> all = reached_;
-  if (verdict == Verdict::jammed)
-    all.push_back(resting_state(simulation_->model().barostat.pressure, now_.step(), now_.measures()));
+  if (verdict == Verdict::jammed || verdict == Verdict::settled)
+    all.push_back(resting_state(simulation_->model().barostat.pressure, now_.step(), now_.measures(),
+                                verdict == Verdict::settled ? phi_bound() : 0));
   return all;
 }
 

@@ -16,7 +16,7 @@ namespace furnas {
 
 /// What is needed to resume a stopped run, besides its packing and its protocol.
 struct RunState {
-  std::vector<RestingState> reached;          ///< pressures at which the packing came to rest
+  std::vector<RestingState> reached;          ///< pressures at which the packing came to rest or settled
   RestWatch::Saved watch;                     ///< the state of RestWatch
   std::map<std::string, std::string> events;  ///< what each event has saved, by the name of the event
   std::int64_t replaced{};                    ///< how often events had changed the packing
@@ -57,8 +57,8 @@ class ProtocolRun {
   const Simulation& simulation() const { return *simulation_; }
   const Protocol& protocol() const { return protocol_; }
   RestWatch& watch() { return watch_; }
-  /// The pressures at which the packing came to rest; after the verdict jammed, these include the present
-  /// pressure.
+  /// The pressures at which the packing came to rest or settled; after the verdicts jammed and settled, these
+  /// include the present pressure.
   std::vector<RestingState> reached(Verdict verdict);
   std::int64_t lists_built() const;  ///< neighbour lists since the run began
   std::int64_t quenches() const;     ///< how often all motion was taken out
@@ -92,7 +92,7 @@ struct Jam {
   Packing packing;                    ///< at the end
   Measures measures;                  ///< of that packing
   RestReport rest;                    ///< values of the criteria at the end
-  std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest
+  std::vector<RestingState> reached;  ///< each pressure at which the packing came to rest or settled
 
   /// phi_J, which only a jammed packing has.
   std::optional<double> phi_J() const;

@@ -29,12 +29,14 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   add(std::make_unique<Flip>(rhythm.steps(flip_time)));
   add(std::make_unique<RenewOrder>(rhythm.steps(order_time)));
   add_all(onlookers.before_verdict);
-  if (can_rest) add(std::make_unique<NextPressure>(watch, std::move(later), reached));
+  auto next_pressure = std::make_unique<NextPressure>(watch, std::move(later), reached);
+  NextPressure& next = *next_pressure;
+  if (can_rest) add(std::move(next_pressure));
   if (can_rest) add(std::make_unique<AtRest>(watch, rhythm.steps(quench_time)));
   if (minimizes) add(std::make_unique<Minimize>(watch));
   if (quenches) {
     auto quench = std::make_unique<Quench>(watch);
-    auto settle = std::make_unique<Settle>(watch, *quench, rhythm.steps(drift_time));
+    auto settle = std::make_unique<Settle>(watch, next, *quench, rhythm.steps(drift_time));
     add(std::move(quench));
     add(std::move(settle));
   }

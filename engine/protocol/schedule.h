@@ -16,7 +16,8 @@ struct Onlookers {
 };
 
 /// All events of a run, in the order in which events of one step happen. `later` are the baths that follow
-/// the one in which the run begins; the pressures at which the packing comes to rest are added to `reached`.
+/// the one in which the run begins; the pressures at which the packing comes to rest or settles are added to
+/// `reached`.
 Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Barostat> later, RestWatch& watch,
                 std::vector<RestingState>& reached, Onlookers onlookers);
 

@@ -224,6 +224,34 @@ TEST(ReliableSplitRun, ASettledRunIsToldAgainAndGoesOn) {
   EXPECT_EQ(runs.result("twice")["steps"], steps + 5000);
 }
 
+/// A packing that settles goes on to the next pressure, also in a process that began later.
+TEST(ReliableSplitRun, SettlesAtOnePressureAfterTheOther) {
+  const Runs runs(settling_case);
+  const std::string pressures = "compaction.pressure=[4e-3, 1e-3]";
+  ASSERT_EQ(runs.run("whole", {pressures}).code, ExitCode::done);
+  const auto result = runs.result("whole"), states = result["resting_states"];
+  EXPECT_EQ(result["verdict"], "settled");
+  ASSERT_EQ(states.size(), 2u);
+  for (const auto& state : states) {
+    EXPECT_TRUE(state["phi_J"].is_null());
+    EXPECT_GT(state["phi_bound"], 0);
+    EXPECT_LT(state["phi_bound"], 1e-2);
+  }
+  EXPECT_EQ(states[0]["pressure"], 4e-3);
+  EXPECT_LT(states[1]["phi"], states[0]["phi"]) << "the cell grows when the pressure falls";
+  EXPECT_EQ(states[1]["phi"], result["phi"]);
+  EXPECT_EQ(states[1]["phi_bound"], result["phi_bound"]);
+
+  const std::int64_t first = states[0]["step"];
+  ASSERT_EQ(runs.run("parts", {pressures, "stop.steps=" + std::to_string(first - 70)}).code,
+            ExitCode::budget_spent);
+  EXPECT_TRUE(runs.result("parts")["resting_states"].empty());
+  ASSERT_EQ(runs.resume("parts", {"--steps", std::to_string(first + 130)}).code, ExitCode::budget_spent);
+  EXPECT_EQ(runs.result("parts")["resting_states"], nlohmann::json::array({states[0]}));
+  ASSERT_EQ(runs.resume("parts", {"--steps", "10000000"}).code, ExitCode::done);
+  EXPECT_EQ(difference(runs.path("parts"), runs.path("whole")), "");
+}
+
 /// In single precision a radius is rounded when a run begins, and all that follows from it must follow from
 /// the rounded one, which is all that a run that goes on knows.
 TEST(ReliableSplitRun, SizesThatAreNoBinaryFractionsAreRoundedOnce) {

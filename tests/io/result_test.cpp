@@ -35,7 +35,7 @@ Result example(Verdict verdict) {
                      4.5 + static_cast<double>(n)};
   r.rest.strain_drift = 7e-7;
   r.rest.stress_error = 2e-4;
-  r.reached = {{2e-4, 0.57, 1000, 4.6, 1, 20}, {1e-4, 0.58, 2000, 4.7, 0, 10}};
+  r.reached = {{2e-4, 0.57, 1000, 4.6, 1, 20, 1e-3}, {1e-4, 0.58, 2000, 4.7, 0, 10}};
   r.evaluations = 4321;
   r.state_hash = 0x0123456789abcdef;
   r.large = 200;
@@ -123,11 +123,15 @@ TEST(Result, CountsRattlersOfEachSpeciesAtEachThreshold) {
 
 TEST(Result, ListsThePressuresThatWereReached) {
   const Json json = written(example(Verdict::budget))["resting_states"];
-  const auto state = [](double p, double phi, int step, double z, int large, int small) {
-    return Json{{"pressure", p},           {"phi_J", phi},           {"step", step}, {"Z_backbone", z},
+  const auto state = [](double p, const Json& phi_J, double phi, const Json& bound, int step, double z,
+                        int large, int small) {
+    return Json{{"pressure", p},           {"phi_J", phi_J},         {"phi", phi},
+                {"phi_bound", bound},      {"step", step},           {"Z_backbone", z},
                 {"large_rattlers", large}, {"small_rattlers", small}};
   };
-  EXPECT_EQ(json, (Json{state(2e-4, 0.57, 1000, 4.6, 1, 20), state(1e-4, 0.58, 2000, 4.7, 0, 10)}));
+  EXPECT_EQ(json, (Json{state(2e-4, {}, 0.57, 1e-3, 1000, 4.6, 1, 20),
+                        state(1e-4, 0.58, 0.58, {}, 2000, 4.7, 0, 10)}))
+      << "it settled at the first";
 }
 
 TEST(Result, TellsALooseBalanceFromATightOne) {

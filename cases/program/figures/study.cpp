@@ -20,10 +20,29 @@ std::tuple<double, double, double> place_of(const SampleRow& row) {
   return {row.size_ratio, row.friction, row.small_fraction};
 }
 
-/// A key that may differ between samples without friction, whose phi_J hardly depends on the masses
-/// (docs/developer/decisions/masses-without-friction.md).
-constexpr const char* exponent_of_mass = "compaction.mass_exponent";
+/// A key that may differ between samples without friction, whose phi_J hardly depends on it.
+struct KeyWithoutFriction {
+  const char* key;
+  std::string (*stands_for)(
+      const std::string& value);           ///< without friction: the value with which it may stand
+  bool (*told)(const std::string& value);  ///< whether the reader is told of such samples
+};
+
+/// p_a of a run: the last of its pressures. A list is written as [a;b].
+std::string last_pressure(const std::string& value) {
+  if (!value.ends_with(']')) return value;
+  const std::size_t from = value.find_last_of("[;") + 1;
+  return value.substr(from, value.size() - from - 1);
+}
+
 constexpr const char* solid = "3";
+const KeyWithoutFriction free_without_friction[] = {
+    // docs/developer/decisions/masses-without-friction.md
+    {"compaction.mass_exponent", [](const std::string&) { return std::string(solid); },
+     [](const std::string& value) { return value != solid && !value.empty(); }},
+    // docs/developer/decisions/from-a-higher-pressure.md
+    {"compaction.pressure", last_pressure, [](const std::string& value) { return value.starts_with('['); }},
+};
 
 /// The values of a key among the samples with friction or among those without it, and the number of samples
 /// of each; empty if the key is the same for all samples.
@@ -39,9 +58,12 @@ std::map<std::string, std::size_t> values_of(const Gathered& all, const std::str
 
 /// Whether samples that differ in a key may not stand together.
 bool separates(const Gathered& all, const std::string& key) {
-  if (key == exponent_of_mass) {
-    const auto exponents = values_of(all, key, true);
-    return exponents.size() > exponents.count(solid);  // any but solid spheres, with friction
+  for (const KeyWithoutFriction& free : free_without_friction) {
+    if (key != free.key) continue;
+    std::set<std::string> values;
+    for (const auto& [value, count] : values_of(all, key, true)) values.insert(value);
+    for (const auto& [value, count] : values_of(all, key, false)) values.insert(free.stands_for(value));
+    return values.size() > 1;
   }
   const std::vector<std::string>& free = keys_of_the_paper();
   return key != number_of_large && std::find(free.begin(), free.end(), key) == free.end();
@@ -74,14 +96,15 @@ void refuse_other_keys(const Gathered& all, const std::vector<fs::path>& folders
       fmt::join(names, " "), first));
 }
 
-/// Which samples without friction have other masses than solid spheres.
-std::vector<std::string> remarks_on_masses(const Gathered& all) {
+/// Which samples without friction have other values of a key than the samples beside them.
+std::vector<std::string> remarks_without_friction(const Gathered& all) {
   std::vector<std::string> remarks;
-  for (const auto& [exponent, count] : values_of(all, exponent_of_mass, false))
-    if (exponent != solid && !exponent.empty())
-      remarks.push_back(fmt::format("{} without friction {} made with {} = {}",
-                                    count == 1 ? "1 sample" : fmt::format("{} samples", count),
-                                    count == 1 ? "was" : "were", exponent_of_mass, exponent));
+  for (const KeyWithoutFriction& free : free_without_friction)
+    for (const auto& [value, count] : values_of(all, free.key, false))
+      if (free.told(value))
+        remarks.push_back(fmt::format("{} without friction {} made with {} = {}",
+                                      count == 1 ? "1 sample" : fmt::format("{} samples", count),
+                                      count == 1 ? "was" : "were", free.key, value));
   return remarks;
 }
 
@@ -128,7 +151,7 @@ Study study_of(const std::vector<fs::path>& folders) {
   refuse_other_keys(gathered, folders);
   Study study;
   study.remarks = gathered.remarks;
-  for (std::string& remark : remarks_on_masses(gathered)) study.remarks.push_back(std::move(remark));
+  for (std::string& remark : remarks_without_friction(gathered)) study.remarks.push_back(std::move(remark));
   study.history = history_in(gathered);
   study.points = points_of(largest_of(gathered, study.remarks));
   for (const Curve& curve : curves_of(study.points, keys_of_the_paper()))

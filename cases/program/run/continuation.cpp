@@ -21,6 +21,7 @@ namespace {
 constexpr const char* version_key = "version of furnas";
 constexpr const char* resting_states_key =
     "resting states: pressure phi step Z_backbone large_rattlers small_rattlers";
+constexpr const char* bounds_key = "bounds on phi at these pressures, 0 at rest";
 constexpr const char* window_key = "window of rest: step xx yy zz yz xz xy holds holds_loosely";
 constexpr const char* look_key = "last look: backbone stress_error force_imbalance kinetic_energy";
 constexpr const char* counts_key = "counts: replaced lists_built wall_seconds ended";
@@ -34,6 +35,12 @@ std::string rows_of(const std::vector<RestingState>& reached) {
     rows += fmt::format("{} {} {} {} {} {}\n", s.pressure, s.phi, s.step, s.Z_backbone, s.large_rattlers,
                         s.small_rattlers);
   return rows;
+}
+
+std::string bounds_of(const std::vector<RestingState>& reached) {
+  std::string bounds;
+  for (const RestingState& s : reached) bounds += fmt::format("{}\n", s.phi_bound);
+  return bounds;
 }
 
 std::string rows_of(const std::deque<RestWatch::Look>& window) {
@@ -90,6 +97,7 @@ std::map<std::string, std::string> to_extras(const Continuation& c) {
   std::map<std::string, std::string> extras{
       {version_key, std::string(build_info().version)},
       {resting_states_key, rows_of(c.reached)},
+      {bounds_key, bounds_of(c.reached)},
       {window_key, rows_of(c.watch.window)},
       {look_key, fmt::format("{} {} {} {}", c.watch.backbone, c.watch.stress_error, c.watch.force_imbalance,
                              c.watch.kinetic_energy)},
@@ -108,6 +116,10 @@ std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint) {
   for (RestingState s; rows.more(); reached.push_back(s))
     require_saved(rows.take(s.pressure, s.phi, s.step, s.Z_backbone, s.large_rattlers, s.small_rattlers),
                   resting_states_key);
+  if (!checkpoint.extras.contains(bounds_key)) return reached;  // older versions left a pressure only at rest
+  Numbers bounds(text_under(checkpoint, bounds_key));
+  for (RestingState& s : reached) require_saved(bounds.take(s.phi_bound), bounds_key);
+  require_saved(!bounds.more(), bounds_key);
   return reached;
 }
 

@@ -34,7 +34,7 @@ Continuation continuation_of(const Checkpoint& checkpoint);
 Case case_to_go_on_with(const std::filesystem::path& folder, const Checkpoint& checkpoint,
                         std::span<const std::string> set);
 
-/// The pressures at which a checkpointed run had come to rest.
+/// The pressures at which a checkpointed run had come to rest or settled.
 std::vector<RestingState> resting_states_of(const Checkpoint& checkpoint);
 
 }  // namespace furnas

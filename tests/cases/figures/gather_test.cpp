@@ -68,6 +68,20 @@ TEST_F(TwoSweeps, MayDifferInTheMassesOfSpheresWithoutFriction) {
   EXPECT_THROW(study_of(all), InputError) << "light spheres with friction beside solid ones without";
 }
 
+TEST_F(TwoSweeps, MayComeFromAHigherPressureWithoutFriction) {
+  const char* from_above = "phi_error = 1e-3\n[compaction]\npressure = [1e-3, 1e-4]";
+  write("b", second(), from_above);
+  EXPECT_THROW(study_of(both()), InputError) << "with friction the pressures before p_a bear on phi_J";
+  SampleTable smooth = paper_table();
+  smooth.rows = {jammed_row("5.0", "0.3", "0.0", 1, 0.77), jammed_row("5.0", "0.3", "0.0", 2, 0.77)};
+  write("b", smooth, from_above);
+  EXPECT_THAT(
+      study_of(both()).remarks,
+      testing::ElementsAre("2 samples without friction were made with compaction.pressure = [0.001;0.0001]"));
+  write("b", smooth, "phi_error = 1e-3\n[compaction]\npressure = [1e-4, 1e-3]");
+  EXPECT_THROW(study_of(both()), InputError) << "another p_a";
+}
+
 TEST_F(TwoSweeps, HaveARunThatWasCarriedOnOnce) {
   const Study study = study_of(both());
   ASSERT_EQ(study.points.size(), 1u);

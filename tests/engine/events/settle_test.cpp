@@ -59,13 +59,15 @@ TEST(PhiRecord, HoldsAnyPastInFewSpans) {
 struct Told {
   RestingStory story;
   Quench quench{story.watch};
+  std::vector<RestingState> reached;
+  NextPressure last{story.watch, {}, reached};
 
   explicit Told(const RestingStory::Tale& tale, double phi_error)
       : story(tale, {.stilling = 0, .phi_error = phi_error}) {}
 
   /// The step at which the run ends as settled; -1 if it does not. At look `resumed` another process goes on.
   std::int64_t settles_at(int looks, int resumed = 0) {
-    auto event = std::make_unique<Settle>(story.watch, quench, story_rhythm.steps(drift_time));
+    auto event = std::make_unique<Settle>(story.watch, last, quench, story_rhythm.steps(drift_time));
     for (int look = 1; look <= looks; ++look) {
       story.simulation.advance(story.watch.period(), nullptr);
       quench.due(story.now);
@@ -74,7 +76,7 @@ struct Told {
       if (due) return story.simulation.step();
       if (look != resumed) continue;
       const std::string saved = event->saved();
-      event = std::make_unique<Settle>(story.watch, quench, story_rhythm.steps(drift_time));
+      event = std::make_unique<Settle>(story.watch, last, quench, story_rhythm.steps(drift_time));
       event->restore(saved);
     }
     return -1;
@@ -191,18 +193,46 @@ TEST(Settle, BeginsAnewWhereThePressureIsLost) {
   EXPECT_EQ(again.settles_at(1000), 16 * window) << "the first end of a window ten of them after it";
 }
 
+/// Creep that begins anew at the second pressure. The packing settles at the first, and what it did there is
+/// no part of its age at the second.
+TEST(Settle, GoesOnToTheNextPressure) {
+  constexpr double creep = 1e-5, phi_error = 4e-5;
+  const std::int64_t least = story_rhythm.steps(drift_time);
+  const std::int64_t window = RestWatch({}, story_rhythm).window_length();
+  RestingStory story(creeping(creep), {.stilling = 0, .phi_error = phi_error});
+  std::vector<RestingState> reached;
+  Events events;
+  auto next =
+      std::make_unique<NextPressure>(story.watch, std::vector<Barostat>{{.pressure = 1.001e-4}}, reached);
+  auto quench = std::make_unique<Quench>(story.watch);
+  auto settle = std::make_unique<Settle>(story.watch, *next, *quench, least);
+  events.push_back(std::move(next));
+  events.push_back(std::move(quench));
+  events.push_back(std::move(settle));
+  EXPECT_EQ(compact(story.now, events), Verdict::settled);
+  EXPECT_EQ(story.simulation.model().barostat.pressure, 1.001e-4);
+  ASSERT_EQ(reached.size(), 1u) << "the last pressure is the verdict's";
+  EXPECT_EQ(reached[0].pressure, 1e-4);
+  EXPECT_GT(reached[0].phi_bound, 0);
+  EXPECT_LT(reached[0].phi_bound, phi_error);
+  EXPECT_LE(reached[0].step, least + 2 * window);
+  EXPECT_GE(story.now.step(), reached[0].step + least);
+}
+
 TEST(Settle, RefusesAMemoryThatIsNone) {
   RestWatch watch({}, story_rhythm);
   const Quench quench(watch);
-  Settle settle(watch, quench, 1);
+  std::vector<RestingState> reached;
+  NextPressure last(watch, {}, reached);
+  Settle settle(watch, last, quench, 1);
   settle.restore("");
-  for (const char* text :
-       {"x", "1", "-1 0", "1 -1", "1 0 1 5 0.6 0.7", "1 0 1 5 0.7 0.6 0", "1 0 0 5 0.6 0.7 0", "1 0 x"})
+  for (const char* text : {"x", "1", "1 1", "-1 1 0", "1 -1 0", "1 1 -1", "1 1 0 1 5 0.6 0.7",
+                           "1 1 0 1 5 0.7 0.6 0", "1 1 0 0 5 0.6 0.7 0", "1 1 0 x"})
     EXPECT_THROW(settle.restore(text), InputError) << text;
-  std::string long_past = "1 inf";
+  std::string long_past = "1 1 inf";
   for (int span = 0; span < 65; ++span) long_past += " 1 5 0.6 0.7 0";
   EXPECT_THROW(settle.restore(long_past), InputError);
-  settle.restore("1 inf 1 5 0.6 0.7 0");
+  settle.restore("1 1 inf 1 5 0.6 0.7 0");
   EXPECT_EQ(settle.bound(), RestReport::unknown);
 }
 
