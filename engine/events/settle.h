@@ -48,6 +48,8 @@ class PhiRecord {
 ///     times their limits: such a packing still rearranges;
 ///   - the remaining error of the stress: the change of phi that would correct it if every contact followed
 ///     the strain of the cell, times 3, because in a disordered packing contacts do not follow it.
+/// If the packing settled at the pressure before, its bound there is added: a change of the pressure silences
+/// rearrangements for a while, and they come back.
 /// The first part is an empirical estimate, no proof: docs/developer/decisions/phi-with-a-bound.md counts how
 /// often it was correct.
 class Settle final : public Event {
@@ -77,6 +79,7 @@ class Settle final : public Event {
   const Quench& quench_;
   std::int64_t least_age_;
   double pressure_ = 0;         ///< of the bath at the last look [k_n/d_s]
+  double carried_ = 0;          ///< bound at the pressure before, if the packing settled there
   PhiRecord past_;              ///< since the packing first carried the pressure
   std::int64_t loaded_at_ = 0;  ///< step at which the packing first carried the pressure
   double bound_ = RestReport::unknown;

@@ -62,10 +62,13 @@ Statement mono(const Study& study, const Reach& reach, double mu, double paper, 
   return s;
 }
 
-Statement point(const Study& study, const Reach& reach, double alpha, double mu, double f, double paper) {
+/// `words`: what the paper says of the number, with {} in its place.
+Statement point(const Study& study, const Reach& reach, double alpha, double mu, double f, double paper,
+                const char* words = "{}") {
   constexpr double tolerance = 0.01, near = 0.0051;
-  Statement s = begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f), fmt::format("{}", paper),
-                      fmt::format("differs by at most {}", tolerance));
+  Statement s =
+      begin(fmt::format("α = {}, μ = {}, f_s = {}: φ_J", alpha, mu, f),
+            fmt::format(fmt::runtime(words), paper), fmt::format("differs by at most {}", tolerance));
   const Curve* curve = study.curve(alpha, mu);
   if (curve == nullptr) return s;
   const auto off = [f](const Point& p) { return std::abs(p.small_fraction - f); };
@@ -372,7 +375,7 @@ std::vector<Statement> statements_of(const Study& study) {
           mono(study, reach, 0.3, 0.588, 0.01),
           rises_and_falls(thick, reach),
           friction_lowers(thick, reach),
-          point(study, reach, 20, 0, 0.265, 0.869),
+          point(study, reach, 20, 0, 0.265, 0.869, "close to the {} of the model"),
           point(study, reach, 40, 0, 0.265, 0.857),
           point(study, reach, 20, 0.3, 0.29, 0.823),
           point(study, reach, 40, 0.3, 0.292, 0.830),

@@ -106,7 +106,12 @@ void Progress::look(Observation& now) {
   looked_ = now.step();
   const Model& model = now.simulation().model();
   if (!forecast_) forecast_.emplace(watch_.criteria(), watch_.window_length(), !has_friction(model.law));
-  if (model.barostat.pressure != pressure_) forecast_->clear();
+  if (model.barostat.pressure != pressure_) {
+    forecast_->clear();
+    if (pressure_ > 0)
+      lines_.say(fmt::format("p_a is {:g} after {:g}, from step {} on; phi {:.5f}", model.barostat.pressure,
+                             pressure_, now.step(), now.measures().phi));
+  }
   pressure_ = model.barostat.pressure;
   if (model.barostat.freedom != CellFreedom::fixed) forecast_->add(now.step(), watch_.report());
 }

@@ -80,6 +80,26 @@ TEST(Progress, TellsOfTheMinimizerBetweenItsPeriods) {
   EXPECT_THAT(out.str(), testing::HasSubstr("balance"));
 }
 
+TEST(Progress, TellsWhenThePressureChanges) {
+  RestingStory story([](std::int64_t) { return Unrest{}; });
+  std::ostringstream out;
+  LiveLines lines(out, false);
+  std::atomic<bool> attention = false;
+  Progress progress(lines, story.watch, 0, 100'000, attention);
+  const auto look = [&] {
+    story.simulation.advance(story.watch.period(), nullptr);
+    progress.due(story.now);
+  };
+  look();
+  EXPECT_EQ(out.str(), "") << "the first pressure is that of the case";
+  Barostat bath = story.simulation.model().barostat;
+  bath.pressure = 3e-5;
+  story.simulation.set_bath(bath);
+  for (int n = 0; n < 2; ++n) look();
+  EXPECT_EQ(out.str(), "p_a is 3e-05 after 0.0001, from step " + std::to_string(2 * story.watch.period()) +
+                           " on; phi " + std::to_string(story.now.measures().phi).substr(0, 7) + "\n");
+}
+
 TEST(Progress, TellsItsStepToThoseWhoReadItsLines) {
   RestingStory story([](std::int64_t) { return Unrest{}; });
   std::ostringstream out;

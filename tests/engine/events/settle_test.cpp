@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/require.h"
+#include "engine/events/limits.h"
 #include "tests/engine/events/resting_story.h"
 #include "tests/engine/support/dice.h"
 #include "tests/engine/support/property.h"
@@ -193,10 +194,10 @@ TEST(Settle, BeginsAnewWhereThePressureIsLost) {
   EXPECT_EQ(again.settles_at(1000), 16 * window) << "the first end of a window ten of them after it";
 }
 
-/// Creep that begins anew at the second pressure. The packing settles at the first, and what it did there is
-/// no part of its age at the second.
+/// What the packing did at the first pressure is no part of its age at the second, and its bound there is a
+/// part of its bound at the second.
 TEST(Settle, GoesOnToTheNextPressure) {
-  constexpr double creep = 1e-5, phi_error = 4e-5;
+  constexpr double creep = 1e-5, phi_error = 1e-4;
   const std::int64_t least = story_rhythm.steps(drift_time);
   const std::int64_t window = RestWatch({}, story_rhythm).window_length();
   RestingStory story(creeping(creep), {.stilling = 0, .phi_error = phi_error});
@@ -206,17 +207,21 @@ TEST(Settle, GoesOnToTheNextPressure) {
       std::make_unique<NextPressure>(story.watch, std::vector<Barostat>{{.pressure = 1.001e-4}}, reached);
   auto quench = std::make_unique<Quench>(story.watch);
   auto settle = std::make_unique<Settle>(story.watch, *next, *quench, least);
+  const Settle& last = *settle;
   events.push_back(std::move(next));
   events.push_back(std::move(quench));
   events.push_back(std::move(settle));
+  events.push_back(std::make_unique<Budget>(10 * least));
   EXPECT_EQ(compact(story.now, events), Verdict::settled);
   EXPECT_EQ(story.simulation.model().barostat.pressure, 1.001e-4);
   ASSERT_EQ(reached.size(), 1u) << "the last pressure is the verdict's";
   EXPECT_EQ(reached[0].pressure, 1e-4);
-  EXPECT_GT(reached[0].phi_bound, 0);
-  EXPECT_LT(reached[0].phi_bound, phi_error);
+  EXPECT_NEAR(reached[0].phi_bound, 5 * creep * std::log(2), 0.5 * creep);
+  EXPECT_LT(reached[0].phi_bound, 2.0 / 3 * phi_error);
   EXPECT_LE(reached[0].step, least + 2 * window);
   EXPECT_GE(story.now.step(), reached[0].step + least);
+  EXPECT_GT(last.bound(), reached[0].phi_bound);
+  EXPECT_LT(last.bound(), phi_error);
 }
 
 TEST(Settle, RefusesAMemoryThatIsNone) {
@@ -226,13 +231,14 @@ TEST(Settle, RefusesAMemoryThatIsNone) {
   NextPressure last(watch, {}, reached);
   Settle settle(watch, last, quench, 1);
   settle.restore("");
-  for (const char* text : {"x", "1", "1 1", "-1 1 0", "1 -1 0", "1 1 -1", "1 1 0 1 5 0.6 0.7",
-                           "1 1 0 1 5 0.7 0.6 0", "1 1 0 0 5 0.6 0.7 0", "1 1 0 x"})
+  for (const char* text :
+       {"x", "1", "1 0 1", "-1 0 1 0", "1 -1 1 0", "1 0 -1 0", "1 0 1 -1", "1 0 1 0 1 5 0.6 0.7",
+        "1 0 1 0 1 5 0.7 0.6 0", "1 0 1 0 0 5 0.6 0.7 0", "1 0 1 0 x"})
     EXPECT_THROW(settle.restore(text), InputError) << text;
-  std::string long_past = "1 1 inf";
+  std::string long_past = "1 0 1 inf";
   for (int span = 0; span < 65; ++span) long_past += " 1 5 0.6 0.7 0";
   EXPECT_THROW(settle.restore(long_past), InputError);
-  settle.restore("1 1 inf 1 5 0.6 0.7 0");
+  settle.restore("1 0 1 inf 1 5 0.6 0.7 0");
   EXPECT_EQ(settle.bound(), RestReport::unknown);
 }
 
