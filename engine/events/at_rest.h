@@ -85,6 +85,8 @@ class RestWatch {
 
   /// Forgets all looks, because the pressure has changed.
   void restart() { window_.clear(); }
+  /// Whether no look has been taken since the beginning or the last change of the pressure.
+  bool is_new() const { return window_.empty(); }
 
   /// What a resumed run needs: the looks kept so far, oldest first, and the values at the last look.
   struct Saved {

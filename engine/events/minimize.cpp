@@ -19,13 +19,14 @@ bool is_large(std::int64_t backbone, std::size_t contacts) {
   return backbone >= large_backbone || contacts >= many_contacts;
 }
 
+constexpr double near_the_bath = 0.05;  // stress error, as in RestReport
+
 /// Whether the packing has a backbone, a stress near the bath's, and little kinetic energy. In a large
 /// packing the forces must nearly balance, too.
 bool has_found_its_basin(const RestReport& r, const Measures& m) {
-  constexpr double stress_error = 0.05;
   constexpr double motion = 0.05;  // kinetic energy/energy of the contacts
   constexpr double imbalance = 0.003;
-  return r.backbone > 0 && r.stress_error < stress_error && m.energy.kinetic < motion * m.energy.normal &&
+  return r.backbone > 0 && r.stress_error < near_the_bath && m.energy.kinetic < motion * m.energy.normal &&
          (!is_large(r.backbone, static_cast<std::size_t>(m.contacts)) || r.force_imbalance < imbalance);
 }
 
@@ -42,17 +43,23 @@ std::int64_t evaluations_for(std::size_t particles) {
 }  // namespace
 
 std::int64_t Minimize::next(std::int64_t step) const {
-  return searching_ ? step + 1 : next_multiple(step, watch_.period());
+  return searching() || watch_.is_new() ? step + 1 : next_multiple(step, watch_.period());
 }
 
 bool Minimize::due(Observation& now) {
-  if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
-    pressure_ = pressure;
+  const Barostat& bath = now.simulation().model().barostat;
+  if (bath.pressure != pressure_) {
+    search_ = bath.pressure < pressure_ ? Search::unloading : Search::none;
+    pressure_ = bath.pressure;
     spent_ = 0;
     not_before_ = 0;
-    searching_ = false;
   }
-  if (searching_) return true;
+  if (search_ == Search::unloading && spent_ > 0 && stress_error(now.measures(), bath) < near_the_bath) {
+    search_ = Search::none;
+    spent_ = 0;
+  }
+  if (searching()) return true;
+  if (now.step() % watch_.period() != 0) return false;
   const RestReport& r = watch_.look(now);
   return now.step() >= not_before_ && !r.resting && has_found_its_basin(r, now.measures()) &&
          !is_balanced(r, watch_.criteria());
@@ -81,8 +88,11 @@ std::optional<Verdict> Minimize::fire(Observation& now) {
   spent_ += report.evaluations;
   now.count_evaluations(report.evaluations);
   const bool ended = report.reached || report.stuck;
-  searching_ = !ended && spent_ < patience;
-  if (!searching_) {
+  if (ended || spent_ >= patience)
+    search_ = Search::none;
+  else if (!searching())
+    search_ = Search::minimum;
+  if (!searching()) {
     not_before_ = now.step() + (ended ? 1 : pause) * watch_.window_length();
     spent_ = 0;
   }
@@ -90,15 +100,18 @@ std::optional<Verdict> Minimize::fire(Observation& now) {
 }
 
 std::string Minimize::saved() {
-  return exact_text(evaluations_, int{searching_}, pressure_, spent_, not_before_);
+  return exact_text(evaluations_, static_cast<int>(search_), pressure_, spent_, not_before_);
 }
 
 void Minimize::restore(const std::string& saved) {
   if (saved.empty()) return;
-  const bool read = Numbers(saved).take_all(evaluations_, searching_, pressure_, spent_, not_before_);
-  if (!read || evaluations_ < 0 || !(pressure_ >= 0) || spent_ < 0 || not_before_ < 0)
+  int search{};
+  const bool read = Numbers(saved).take_all(evaluations_, search, pressure_, spent_, not_before_);
+  if (!read || evaluations_ < 0 || search < 0 || search > static_cast<int>(Search::unloading) ||
+      !(pressure_ >= 0) || spent_ < 0 || not_before_ < 0)
     throw InputError("a run remembers \"" + saved +
                      "\" where it must remember how far a search for a minimum is");
+  search_ = static_cast<Search>(search);
 }
 
 }  // namespace furnas

@@ -19,6 +19,10 @@ namespace furnas {
 ///
 /// A search that has found no minimum after 50 000 evaluations, or 20 000 in a large packing, is in a long
 /// flat valley of the enthalpy, where time steps descend as fast. Then no search is made for five windows.
+///
+/// When the pressure falls, a search begins at once and ends when the stress is within 5 % of the bath's. In
+/// time steps the elastic energy of the contacts would drive the cell apart: at a tenth of the pressure it is
+/// enough to dilate a large packing by some per cent, beyond the contact of its spheres.
 class Minimize final : public Event {
  public:
   /// `evaluations`: largest number of evaluations in one call; between calls the run can be saved and
@@ -38,10 +42,13 @@ class Minimize final : public Event {
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
+  enum class Search : int { none, minimum, unloading };
+  bool searching() const { return search_ != Search::none; }
+
   RestWatch& watch_;
   std::int64_t in_a_call_;
   std::int64_t evaluations_ = 0;
-  bool searching_ = false;
+  Search search_ = Search::none;
   double pressure_ = 0;          ///< of the bath at the last due(); a change resets what follows [k_n/d_s]
   std::int64_t spent_ = 0;       ///< evaluations of the present search
   std::int64_t not_before_ = 0;  ///< first step at which the next search may begin

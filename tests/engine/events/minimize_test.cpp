@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -73,13 +74,15 @@ TEST(Minimize, LeavesThePackingToTheStepsAfterASearch) {
 TEST(Minimize, RefusesAMemoryThatIsNone) {
   RestWatch watch({}, story_rhythm);
   Minimize minimize(watch);
+  EXPECT_EQ(minimize.next(300), 301) << "it sees at once with which pressure a run begins or goes on";
+  watch.restore({.window = {{}}});
   minimize.restore("");
   minimize.restore("20 1 0.5 10 300");
   EXPECT_EQ(minimize.saved(), "20 1 0.5 10 300");
   EXPECT_EQ(minimize.next(300), 301) << "in the middle of a search";
   minimize.restore("20 0 0.5 10 300");
   EXPECT_EQ(minimize.next(300), 1000);
-  for (const char* saved : {"2", "20 1 0.5 10", "20 1 0.5 10 300 ", "20 2 0.5 10 300", "-1 1 0.5 10 300",
+  for (const char* saved : {"2", "20 1 0.5 10", "20 1 0.5 10 300 ", "20 3 0.5 10 300", "-1 1 0.5 10 300",
                             "20 1 -0.5 10 300", "20 1 nan 10 300", "20 1 0.5 -1 300", "20 1 0.5 10 -2", " "})
     EXPECT_THROW(minimize.restore(saved), InputError) << saved;
 }
@@ -140,6 +143,42 @@ TEST(Minimize, BringsSpheresWithoutFrictionToRest) {
   EXPECT_EQ(other.evaluations, end.evaluations);
 }
 
+/// The smallest phi under the last pressure of a list, and phi at the end.
+class LowestPhi final : public Event {
+ public:
+  LowestPhi(double pressure, double& lowest) : pressure_(pressure), lowest_(lowest) {}
+  const char* name() const override { return "lowest phi"; }
+  std::int64_t next(std::int64_t step) const override { return next_multiple(step, 10); }
+  bool due(Observation& now) override {
+    if (now.simulation().model().barostat.pressure == pressure_)
+      lowest_ = std::min(lowest_, now.measures().phi);
+    return false;
+  }
+  std::optional<Verdict> fire(Observation&) override { return {}; }
+
+ private:
+  double pressure_;
+  double& lowest_;
+};
+
+// In time steps the energy of the contacts drives the cell apart when the pressure falls.
+TEST(Minimize, UnloadsWithoutDilatingThePacking) {
+  const auto dilation = [](bool minimizer) {
+    Protocol protocol = frictionless();
+    protocol.pressures = {1e-2, 1e-3};
+    protocol.minimizer = minimizer;
+    ProtocolRun run(protocol, spheres(300), 1);
+    double lowest = 1;
+    Onlookers onlookers;
+    onlookers.before_verdict.push_back(std::make_unique<LowestPhi>(1e-3, lowest));
+    run.begin(std::move(onlookers));
+    EXPECT_EQ(run.go().verdict, Verdict::jammed);
+    return run.now().measures().phi - lowest;
+  };
+  EXPECT_LT(dilation(true), 1e-4);
+  EXPECT_GT(dilation(false), 1e-3);
+}
+
 // A search that has spent 20 000 evaluations ends in a large packing and goes on in a small one.
 TEST(Minimize, EndsItsSearchOfALargePackingSooner) {
   Protocol protocol = frictionless();
@@ -150,7 +189,7 @@ TEST(Minimize, EndsItsSearchOfALargePackingSooner) {
   run.go();
   const auto goes_on = [&](std::int64_t backbone) {
     RestWatch watch({}, story_rhythm);
-    watch.restore({.window = {}, .backbone = backbone});
+    watch.restore({.window = {{}}, .backbone = backbone});
     Minimize minimize(watch, 1);
     minimize.restore("20000 1 0.0001 20000 0");
     minimize.fire(run.now());
@@ -194,6 +233,7 @@ struct Search {
         now(*simulation, backbone_threshold(law_of(protocol))),
         watch(protocol.rest, Rhythm(0.1)),
         minimize(watch, 200) {
+    watch.restore({.window = {{}}});  // of a run that has begun
     minimize.restore(saved);
   }
 
