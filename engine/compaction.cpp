@@ -83,9 +83,10 @@ std::int64_t next_multiple(std::int64_t step, std::int64_t period) { return (ste
 
 Verdict compact(Observation& now, const Events& events, std::atomic<bool>* attention) {
   require(!events.empty(), "a run needs an event that ends it");
-  std::vector<std::int64_t> next;
-  for (const auto& event : events) next.push_back(event->next(now.step()));
+  std::vector<std::int64_t> next(events.size());
   while (true) {
+    // An event may be due sooner because of what a later one has done, as when the pressure changes.
+    for (std::size_t k = 0; k < events.size(); ++k) next[k] = events[k]->next(now.step());
     const std::int64_t target = *std::min_element(next.begin(), next.end());
     now.simulation().advance(target - now.step(), attention);
     const bool called = attention && attention->exchange(false);
@@ -93,7 +94,6 @@ Verdict compact(Observation& now, const Events& events, std::atomic<bool>* atten
       if (next[k] > now.step() && !(called && events[k]->heeds_attention())) continue;
       if (events[k]->due(now))
         if (const std::optional<Verdict> verdict = events[k]->fire(now)) return *verdict;
-      next[k] = events[k]->next(now.step());
     }
   }
 }

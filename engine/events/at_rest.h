@@ -85,8 +85,6 @@ class RestWatch {
 
   /// Forgets all looks, because the pressure has changed.
   void restart() { window_.clear(); }
-  /// Whether no look has been taken since the beginning or the last change of the pressure.
-  bool is_new() const { return window_.empty(); }
 
   /// What a resumed run needs: the looks kept so far, oldest first, and the values at the last look.
   struct Saved {
@@ -142,6 +140,9 @@ class NextPressure final : public Event {
 
   /// Whether no further pressure follows.
   bool is_last() const { return baths_.empty(); }
+
+  /// Whether the pressure changed at this step.
+  bool changed_at(std::int64_t step) const { return !reached_.empty() && reached_.back().step == step; }
 
   /// Records the state of the packing, whose phi can change by `phi_bound`, and sets the next bath.
   void go_on(Observation& now, double phi_bound);

@@ -27,9 +27,9 @@ class Minimize final : public Event {
  public:
   /// `evaluations`: largest number of evaluations in one call; between calls the run can be saved and
   /// stopped. 0: as many as take one or two seconds, but at least 1000, so that the start of a search is
-  /// worthwhile in large packings.
-  explicit Minimize(RestWatch& watch, std::int64_t evaluations = 0)
-      : watch_(watch), in_a_call_(evaluations) {}
+  /// worthwhile in large packings. `pressures`: of a run with several.
+  explicit Minimize(RestWatch& watch, std::int64_t evaluations = 0, const NextPressure* pressures = nullptr)
+      : watch_(watch), in_a_call_(evaluations), pressures_(pressures) {}
   const char* name() const override { return "minimize"; }
   std::int64_t next(std::int64_t step) const override;
   bool due(Observation& now) override;
@@ -47,6 +47,7 @@ class Minimize final : public Event {
 
   RestWatch& watch_;
   std::int64_t in_a_call_;
+  const NextPressure* pressures_;
   std::int64_t evaluations_ = 0;
   Search search_ = Search::none;
   double pressure_ = 0;          ///< of the bath at the last due(); a change resets what follows [k_n/d_s]

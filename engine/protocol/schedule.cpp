@@ -33,7 +33,7 @@ Events schedule(const Protocol& protocol, const Rhythm& rhythm, std::vector<Baro
   NextPressure& next = *next_pressure;
   if (can_rest) add(std::move(next_pressure));
   if (can_rest) add(std::make_unique<AtRest>(watch, rhythm.steps(quench_time)));
-  if (minimizes) add(std::make_unique<Minimize>(watch));
+  if (minimizes) add(std::make_unique<Minimize>(watch, 0, &next));
   if (quenches) {
     auto quench = std::make_unique<Quench>(watch);
     auto settle = std::make_unique<Settle>(watch, next, *quench, rhythm.steps(drift_time));

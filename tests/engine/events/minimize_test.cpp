@@ -74,8 +74,6 @@ TEST(Minimize, LeavesThePackingToTheStepsAfterASearch) {
 TEST(Minimize, RefusesAMemoryThatIsNone) {
   RestWatch watch({}, story_rhythm);
   Minimize minimize(watch);
-  EXPECT_EQ(minimize.next(300), 301) << "it sees at once with which pressure a run begins or goes on";
-  watch.restore({.window = {{}}});
   minimize.restore("");
   minimize.restore("20 1 0.5 10 300");
   EXPECT_EQ(minimize.saved(), "20 1 0.5 10 300");
@@ -161,6 +159,15 @@ class LowestPhi final : public Event {
   double& lowest_;
 };
 
+TEST(Minimize, LooksAtOnceWhenThePressureHasChanged) {
+  RestWatch watch({}, story_rhythm);
+  std::vector<RestingState> reached{{.pressure = 1e-3, .step = 2000}};
+  const NextPressure pressures(watch, {}, reached);
+  const Minimize minimize(watch, 0, &pressures);
+  EXPECT_EQ(minimize.next(2000), 2001);
+  EXPECT_EQ(minimize.next(2001), 3000);
+}
+
 // In time steps the energy of the contacts drives the cell apart when the pressure falls.
 TEST(Minimize, UnloadsWithoutDilatingThePacking) {
   const auto dilation = [](bool minimizer) {
@@ -189,7 +196,7 @@ TEST(Minimize, EndsItsSearchOfALargePackingSooner) {
   run.go();
   const auto goes_on = [&](std::int64_t backbone) {
     RestWatch watch({}, story_rhythm);
-    watch.restore({.window = {{}}, .backbone = backbone});
+    watch.restore({.window = {}, .backbone = backbone});
     Minimize minimize(watch, 1);
     minimize.restore("20000 1 0.0001 20000 0");
     minimize.fire(run.now());
@@ -233,7 +240,6 @@ struct Search {
         now(*simulation, backbone_threshold(law_of(protocol))),
         watch(protocol.rest, Rhythm(0.1)),
         minimize(watch, 200) {
-    watch.restore({.window = {{}}});  // of a run that has begun
     minimize.restore(saved);
   }
 
