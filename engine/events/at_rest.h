@@ -141,8 +141,11 @@ class NextPressure final : public Event {
   /// Whether no further pressure follows.
   bool is_last() const { return baths_.empty(); }
 
-  /// Whether the pressure changed at this step.
-  bool changed_at(std::int64_t step) const { return !reached_.empty() && reached_.back().step == step; }
+  /// Step at which the pressure changed last; -1 before the first change.
+  std::int64_t last_change() const { return reached_.empty() ? -1 : reached_.back().step; }
+
+  /// Bound on the further change of phi at the pressure before, if the packing settled there; otherwise 0.
+  double carried_bound() const { return reached_.empty() ? 0 : reached_.back().phi_bound; }
 
   /// Records the state of the packing, whose phi can change by `phi_bound`, and sets the next bath.
   void go_on(Observation& now, double phi_bound);

@@ -43,8 +43,9 @@ std::int64_t evaluations_for(std::size_t particles) {
 }  // namespace
 
 std::int64_t Minimize::next(std::int64_t step) const {
-  return searching() || (pressures_ && pressures_->changed_at(step)) ? step + 1
-                                                                     : next_multiple(step, watch_.period());
+  return searching() || (pressures_ && pressures_->last_change() == step)
+             ? step + 1
+             : next_multiple(step, watch_.period());
 }
 
 bool Minimize::due(Observation& now) {

@@ -47,11 +47,7 @@ PhiRecord::Span PhiRecord::since(std::int64_t step) const {
 
 void Settle::record(Observation& now, const RestReport& r, double phi) {
   constexpr double carries = 0.1, has_lost_it = 0.5;  // stress errors, as in RestReport
-  if (const double pressure = now.simulation().model().barostat.pressure; pressure != pressure_) {
-    pressure_ = pressure;
-    past_.clear();
-    carried_ = 0;
-  }
+  if (loaded_at_ < next_.last_change()) past_.clear();
   if (past_.empty()) {
     if (r.backbone == 0 || !(r.stress_error < carries)) return;
     loaded_at_ = now.step();
@@ -88,25 +84,23 @@ bool Settle::due(Observation& now) {
   const double ranges = ranges_allowed(r, has_friction(law));
   if (past_.empty() || age < least_age_ || ranges == 0 || !quench_.steady()) return false;
   const PhiRecord::Span late = past_.since(now.step() - age / 2);
-  bound_ = carried_ + ranges * (late.high - late.low) +
+  const double carried = next_.carried_bound();
+  bound_ = carried + ranges * (late.high - late.low) +
            change_by_stress(phi, unloading_strain(now.packing(), law), late.stress_error);
   // Where pressures follow, a third of phi_error is left to them.
   const double share = next_.is_last() ? 1 : 2.0 / 3;
-  return bound_ - carried_ < share * (watch_.criteria().phi_error - carried_);
+  return bound_ - carried < share * (watch_.criteria().phi_error - carried);
 }
 
 std::optional<Verdict> Settle::fire(Observation& now) {
   if (next_.is_last()) return Verdict::settled;
   next_.go_on(now, bound_);
-  pressure_ = now.simulation().model().barostat.pressure;
-  past_.clear();
-  carried_ = bound_;
   bound_ = RestReport::unknown;
   return {};
 }
 
 std::string Settle::saved() {
-  std::string text = exact_text(pressure_, carried_, loaded_at_, bound_);
+  std::string text = exact_text(loaded_at_, bound_);
   for (const PhiRecord::Span& s : past_.spans())
     text.append(1, ' ').append(exact_text(s.looks, s.end, s.low, s.high, s.stress_error));
   return text;
@@ -115,14 +109,13 @@ std::string Settle::saved() {
 void Settle::restore(const std::string& saved) {
   if (saved.empty()) return;
   Numbers numbers(saved);
-  bool read = numbers.take(pressure_, carried_, loaded_at_, bound_) && pressure_ >= 0 && carried_ >= 0 &&
-              loaded_at_ >= 0 && bound_ >= 0;
+  bool read = numbers.take(loaded_at_, bound_) && loaded_at_ >= 0 && bound_ >= 0;
   std::vector<PhiRecord::Span> spans;
   for (PhiRecord::Span s; read && numbers.more(); spans.push_back(s))
     read = numbers.take(s.looks, s.end, s.low, s.high, s.stress_error) && s.looks > 0 && s.low <= s.high;
   if (!read || spans.size() > PhiRecord::most_spans)
     throw InputError("a run remembers \"" + saved.substr(0, 200) +
-                     "\" where it must remember a pressure, a bound, a step, a bound, and up to " +
+                     "\" where it must remember a step, a bound, and up to " +
                      std::to_string(PhiRecord::most_spans) +
                      " spans of looks with a step, two fractions and an error of the stress");
   past_.restore(std::move(spans));

@@ -78,8 +78,6 @@ class Settle final : public Event {
   NextPressure& next_;
   const Quench& quench_;
   std::int64_t least_age_;
-  double pressure_ = 0;         ///< of the bath at the last look [k_n/d_s]
-  double carried_ = 0;          ///< bound at the pressure before, if the packing settled there
   PhiRecord past_;              ///< since the packing first carried the pressure
   std::int64_t loaded_at_ = 0;  ///< step at which the packing first carried the pressure
   double bound_ = RestReport::unknown;

@@ -270,7 +270,7 @@ std::string end_of_case(const std::string& name, std::vector<std::string> set, E
 TEST(Release, ItsVersionStandsForItsBits) {
   if (const std::string differs = test::difference_from_release_machine(); !differs.empty())
     GTEST_SKIP() << differs;
-  EXPECT_EQ(end_of_case("smoke", {}, ExitCode::done), "0.3.9 5e739192450e5b01");
+  EXPECT_EQ(end_of_case("smoke", {}, ExitCode::done), "0.3.10 5e739192450e5b01");
 }
 
 // The hashes are those of a build of version 0.2.0, of its default case and of its cases/paper.toml with few
@@ -282,12 +282,12 @@ TEST(Release, KeysGiveTheBitsOfEarlierOnes) {
                         {"contact.velocity=peculiar", "compaction.time_step=0.02", "compaction.drag=0",
                          "stop.stilling_energy=100", "stop.growth=1e30"},
                         ExitCode::done),
-            "0.3.9 2dac9b8be0de00ec");
+            "0.3.10 2dac9b8be0de00ec");
   EXPECT_EQ(end_of_case("paper",
                         {"compaction.drag=0", "mixture.size_ratio=5", "mixture.large=20",
                          "mixture.start_fraction=0.3", "stop.steps=3000"},
                         ExitCode::budget_spent),
-            "0.3.9 11cfa5534b15c78e");
+            "0.3.10 11cfa5534b15c78e");
 }
 
 }  // namespace

@@ -141,7 +141,16 @@ TEST(Minimize, BringsSpheresWithoutFrictionToRest) {
   EXPECT_EQ(other.evaluations, end.evaluations);
 }
 
-/// The smallest phi under the last pressure of a list, and phi at the end.
+TEST(Minimize, LooksAtOnceWhenThePressureHasChanged) {
+  RestWatch watch({}, story_rhythm);
+  std::vector<RestingState> reached{{.pressure = 1e-3, .step = 2000}};
+  const NextPressure pressures(watch, {}, reached);
+  const Minimize minimize(watch, 0, &pressures);
+  EXPECT_EQ(minimize.next(2000), 2001);
+  EXPECT_EQ(minimize.next(2001), 3000);
+}
+
+/// The smallest phi under one pressure.
 class LowestPhi final : public Event {
  public:
   LowestPhi(double pressure, double& lowest) : pressure_(pressure), lowest_(lowest) {}
@@ -158,15 +167,6 @@ class LowestPhi final : public Event {
   double pressure_;
   double& lowest_;
 };
-
-TEST(Minimize, LooksAtOnceWhenThePressureHasChanged) {
-  RestWatch watch({}, story_rhythm);
-  std::vector<RestingState> reached{{.pressure = 1e-3, .step = 2000}};
-  const NextPressure pressures(watch, {}, reached);
-  const Minimize minimize(watch, 0, &pressures);
-  EXPECT_EQ(minimize.next(2000), 2001);
-  EXPECT_EQ(minimize.next(2001), 3000);
-}
 
 // In time steps the energy of the contacts drives the cell apart when the pressure falls.
 TEST(Minimize, UnloadsWithoutDilatingThePacking) {
