@@ -1,5 +1,6 @@
 #include "io/packing_csv.h"
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,11 +24,15 @@ void write_header(AtomicFile& file, std::span<const OutputField> columns) {
 void write_packing_csv(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   write_header(file, packing_csv_fields());
-  for (std::size_t k = 0; k < packing.size(); ++k)
-    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,},{}\n", packing.id(k),
-          csv_cell(name_of_type(packing, type_of(packing, k))), packing.radius[k], packing.mass[k],
-          packing.position(k) + packing.labels.origin, packing.velocity[k], packing.spin[k], packing.force[k],
-          packing.torque[k], type_of(packing, k));
+  std::map<std::int32_t, std::string> names;  // of each type, looked up once: it can depend on all radii
+  for (std::size_t k = 0; k < packing.size(); ++k) {
+    const std::int32_t type = type_of(packing, k);
+    std::string& name = names[type];
+    if (name.empty()) name = csv_cell(name_of_type(packing, type));
+    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,},{}\n", packing.id(k), name, packing.radius[k],
+          packing.mass[k], packing.position(k) + packing.labels.origin, packing.velocity[k], packing.spin[k],
+          packing.force[k], packing.torque[k], type);
+  }
   file.commit();
 }
 

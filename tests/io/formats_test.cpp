@@ -1,5 +1,9 @@
 #include "io/formats.h"
 
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
 #include "io/checkpoint.h"
 #include "tests/io/packings.h"
 
@@ -21,6 +25,28 @@ TEST(Formats, EachThatIsWrittenAndReadRoundTrips) {
     expect_same_packing(p, read_packing(unnamed));
   }
   EXPECT_EQ(count, 4);
+}
+
+/// The least processor time of three writings [clock ticks].
+std::clock_t time_to_write(const Format& format, std::size_t spheres, const std::filesystem::path& path) {
+  Packing p = random_packing(1, spheres);
+  p.labels = {};
+  std::clock_t least = std::numeric_limits<std::clock_t>::max();
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const std::clock_t start = std::clock();
+    write_packing(p, format.name, path);
+    least = std::min(least, std::clock() - start);
+  }
+  return least;
+}
+
+TEST(Formats, EachIsWrittenInATimeThatGrowsAsTheNumberOfSpheres) {
+  const TemporaryFolder folder;
+  for (const Format& format : formats()) {
+    if (!format.write) continue;
+    EXPECT_LT(time_to_write(format, 64'000, folder / "b"), 20 * time_to_write(format, 8'000, folder / "a"))
+        << format.name << ": 8 times the spheres";
+  }
 }
 
 TEST(Formats, ACheckpointIsAPackingToo) {
