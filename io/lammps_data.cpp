@@ -239,12 +239,12 @@ void write_data(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   const Triangle& h = packing.cell.edges;
   const Vec3<double>& corner = packing.labels.origin;
-  const std::int32_t types = type_count(packing);
+  const std::vector<std::string> names = names_of_types(packing);
   print(file, "LAMMPS data file written by furnas, {}{}\n\n", step_in_title, packing.step);
-  print(file, "{} atoms\n{} atom types", packing.size(), types);
+  print(file, "{} atoms\n{} atom types", packing.size(), names.size());
   if (packing.labels.type.empty() || !packing.labels.names.empty()) {
     print(file, "  #");
-    for (std::int32_t type = 1; type <= types; ++type) print(file, " {}", name_of_type(packing, type));
+    for (const std::string& name : names) print(file, " {}", name);
   }
   print(file, "\n\n{} {} xlo xhi\n", corner.x, corner.x + h.xx);
   print(file, "{} {} ylo yhi\n{} {} zlo zhi\n", corner.y, corner.y + h.yy, corner.z, corner.z + h.zz);

@@ -201,6 +201,7 @@ void write_dump(const Packing& packing, const std::filesystem::path& path) {
   const Overhang over(h);
   const Vec3<double>& corner = packing.labels.origin;
   const bool named = !packing.labels.names.empty();
+  const std::vector<std::string> names = named ? names_of_types(packing) : std::vector<std::string>{};
   if (packing.time != 0) print(file, "ITEM: TIME\n{}\n", packing.time);
   print(file, "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n", packing.step, packing.size());
   print(file, "ITEM: BOX BOUNDS xy xz yz pp pp pp\n");
@@ -213,7 +214,7 @@ void write_dump(const Packing& packing, const std::filesystem::path& path) {
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const std::int32_t type = type_of(packing, k);
     print(file, "{} {}{} {} {} {} {} {} {} {}\n", packing.id(k), type,
-          named ? " " + name_of_type(packing, type) : "", packing.mass[k], packing.radius[k],
+          named ? " " + names.at(static_cast<std::size_t>(type) - 1) : "", packing.mass[k], packing.radius[k],
           packing.unwrapped(k) + corner, packing.velocity[k], packing.spin[k], packing.force[k],
           packing.torque[k]);
   }

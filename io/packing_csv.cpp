@@ -1,6 +1,5 @@
 #include "io/packing_csv.h"
 
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,14 +23,14 @@ void write_header(AtomicFile& file, std::span<const OutputField> columns) {
 void write_packing_csv(const Packing& packing, const std::filesystem::path& path) {
   AtomicFile file(path);
   write_header(file, packing_csv_fields());
-  std::map<std::int32_t, std::string> names;  // of each type, looked up once: it can depend on all radii
+  std::vector<std::string> names = names_of_types(packing);
+  for (std::string& name : names) name = csv_cell(name);
   for (std::size_t k = 0; k < packing.size(); ++k) {
     const std::int32_t type = type_of(packing, k);
-    std::string& name = names[type];
-    if (name.empty()) name = csv_cell(name_of_type(packing, type));
-    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,},{}\n", packing.id(k), name, packing.radius[k],
-          packing.mass[k], packing.position(k) + packing.labels.origin, packing.velocity[k], packing.spin[k],
-          packing.force[k], packing.torque[k], type);
+    print(file, "{},{},{},{},{:,},{:,},{:,},{:,},{:,},{}\n", packing.id(k),
+          names.at(static_cast<std::size_t>(type) - 1), packing.radius[k], packing.mass[k],
+          packing.position(k) + packing.labels.origin, packing.velocity[k], packing.spin[k], packing.force[k],
+          packing.torque[k], type);
   }
   file.commit();
 }

@@ -32,6 +32,13 @@ std::string name_of_type(const Packing& p, std::int32_t type) {
   return std::string(name_of(type == 1 ? Species::large : Species::small));
 }
 
+std::vector<std::string> names_of_types(const Packing& p) {
+  const std::int32_t types = type_count(p);
+  std::vector<std::string> names;
+  for (std::int32_t type = 1; type <= types; ++type) names.push_back(name_of_type(p, type));
+  return names;
+}
+
 std::string_view element_of(const Packing& p, std::size_t k) {
   const std::int32_t type = type_of(p, k);
   const std::string name = name_of_type(p, type);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/state/packing.h"
 
@@ -25,8 +26,12 @@ inline std::int32_t type_of(const Packing& p, std::size_t k) {
 std::int32_t type_count(const Packing& packing);
 
 /// The name of a type in files: the name that the start file gave it, or its number there, or else the name
-/// of its species ("sphere" in a polydisperse packing).
+/// of its species ("sphere" in a polydisperse packing). May read all radii: for the names of all spheres,
+/// names_of_types.
 std::string name_of_type(const Packing& packing, std::int32_t type);
+
+/// The names of the types 1, 2, ... up to the largest of a packing.
+std::vector<std::string> names_of_types(const Packing& packing);
 
 /// The chemical element for the type of particle k, in files that need one: the type's name if that is an
 /// element; for the types 1 and 2 silver for large and gold for small spheres; for further types other
